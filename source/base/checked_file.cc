@@ -82,7 +82,7 @@ namespace Crevasse
     const int descriptor = open(name.c_str(), O_RDONLY);
     if (descriptor < 0)
       fail("write " + name);
-    // Some file systems cannot do it for directories, and say so.
+    // Some file systems cannot flush directories, and report that.
     const int error = fsync(descriptor) == 0 ? 0 : errno;
     close(descriptor);
     errno = error;

@@ -10,7 +10,7 @@ namespace Crevasse
 
   namespace
   {
-    /** What becomes of an exception on its way to another rank. */
+    /** Type of an exception that is sent to another rank. */
     enum ErrorKind : unsigned int
     {
       no_error,
@@ -39,7 +39,7 @@ namespace Crevasse
   {
     const unsigned int n_ranks = Utilities::MPI::n_mpi_processes(communicator);
     if (n_ranks == 1)
-      return f(); // exceptions pass as they are
+      return f(); // exceptions pass unchanged
 
     std::string  message;
     unsigned int kind = no_error;

@@ -18,8 +18,8 @@ namespace Crevasse
 {
   namespace
   {
-    /** Whether the name still leads to the open file: who held it before may
-     * have removed it after it was opened here. */
+    /** Whether the name still belongs to the open lock file: the previous run
+     * may have removed it after it was opened here. */
     bool
     is_named(const int file, const std::string &name)
     {
@@ -30,13 +30,13 @@ namespace Crevasse
 
 
 
-    /** The open file, or -1 if there can be none; the run reports this when
-     * it writes its files.
-     * @throw FileError that names who writes there already. */
+    /** Opens and locks the file "running"; -1 if it cannot be created: the run
+     * reports this when it writes its files.
+     * @throw FileError that names the run which writes to the directory. */
     int
     lock_file(const std::string &directory, const std::string &name)
     {
-      // There are file systems that number a file anew each time.
+      // Some file systems give a file a new inode number each time.
       constexpr unsigned int most_tries = 10;
       for (unsigned int tries = 1;; ++tries)
         {
@@ -52,7 +52,7 @@ namespace Crevasse
               continue;
             }
           if (errno != EWOULDBLOCK)
-            return file; // there are no locks
+            return file; // the file system has no locks
           close(file);
           std::ifstream     other(name);
           const std::string who{std::istreambuf_iterator<char>(other), {}};

@@ -27,7 +27,7 @@ namespace Crevasse
 
   namespace
   {
-    /** muParser lacks these, though deal.II's own formulas have them. */
+    /** Defines functions of deal.II's formulas that muParser lacks. */
     void
     define_functions_and_constants(mu::Parser &parser)
     {
@@ -45,8 +45,8 @@ namespace Crevasse
 
 
 
-    /** "=" alone is an assignment to muParser: it would change x or t instead
-     * of comparing them. */
+    /** Whether a formula has a single "=": muParser would assign to x or t
+     * instead of comparing them. */
     bool
     has_assignment(const std::string &formula)
     {
@@ -55,8 +55,8 @@ namespace Crevasse
 
 
 
-    /** muParser knows no function whose name blanks divide from its bracket:
-     * they go before the name, where they keep the positions in messages. */
+    /** Moves blanks between the name of a function and its bracket, which
+     * muParser rejects, before the name: positions in messages stay. */
     std::string
     join_functions(std::string formula)
     {
@@ -133,8 +133,8 @@ namespace Crevasse
         for (const std::string &variable : Text::split(allowed, ','))
           mu.DefineVar(variable, values.at(variable));
         mu.SetExpr(join_functions(text));
-        // Only an evaluation makes muParser parse; the value at the origin may
-        // well be infinite.
+        // muParser parses only when it evaluates; the value at the origin may
+        // be infinite.
         mu.Eval();
         for (const auto &variable : mu.GetUsedVar())
           variables.insert(variable.first);
@@ -236,14 +236,14 @@ namespace Crevasse
   bool
   Expression::can_jump_with(const std::string &variable) const
   {
-    /** One level of brackets: what lies between them, commas, "?" and ":" is a
-     * part, with all deeper levels in it. */
+    /** A level of nested brackets, divided into parts by commas, "?" and ":"; a
+     * part includes deeper levels. */
     struct Level
     {
-      std::string function; ///< before the bracket
+      std::string function; ///< name before the bracket
       bool        is_first_argument = true;
-      std::size_t begin             = 0;     ///< of the part
-      bool        compares          = false; ///< at this level
+      std::size_t begin             = 0;     ///< first character of the part
+      bool        compares          = false; ///< has a comparison at this level
     };
     static const std::regex last_word("(\\w*) *$"),
       jumping("sign|rint|floor|ceil");

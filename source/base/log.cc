@@ -15,7 +15,7 @@ namespace Crevasse
     : is_verbose(is_verbose)
     , first_rank(Utilities::MPI::this_mpi_process(communicator) == 0)
     , quiet(quiet)
-    // mpirun gives its processes terminals of their own.
+    // Under mpirun, processes have terminals of their own.
     , terminal(isatty(STDOUT_FILENO) == 1 &&
                Utilities::MPI::n_mpi_processes(communicator) == 1)
   {
@@ -85,7 +85,7 @@ namespace Crevasse
       return;
     if (!file.is_open())
       throw FileError("Cannot write to the standard output.");
-    // The terminal is closed, or who read from a pipe has ended: the run is
+    // The terminal is closed, or the reader of a pipe has ended: the run is
     // worth more than these lines.
     output_is_gone = true;
     keep("  warning: the standard output cannot be written to any more.");

@@ -26,8 +26,8 @@ namespace Crevasse
 
 
 
-    /** The number behind a name in a file of lines "name number ..."; if there
-     * is none, @p otherwise. */
+    /** Number after a name in a file with lines "name number ..."; @p otherwise
+     * if there is none. */
     double
     number_in(const std::string &file_name,
               const std::string &name,
@@ -47,8 +47,8 @@ namespace Crevasse
 
 
 
-    /** The number that is all of a file; infinite if it says "max" or is not
-     * there. */
+    /** Number in a file that contains nothing else; infinite if the file says
+     * "max" or does not exist. */
     double
     number_in(const std::string &file_name)
     {
@@ -59,7 +59,7 @@ namespace Crevasse
 
 
 
-    /** How a version of Linux's control groups names what they say. */
+    /** Names of files of a version of Linux's control groups. */
     struct GroupFiles
     {
       const char *folder, *limit, *used, *cache;
@@ -76,12 +76,12 @@ namespace Crevasse
 
 
 
-    /** What the groups from this one up to the root leave: each has its own
-     * limit. Files that are read once more and then forgotten are used memory
-     * to Linux, which it gives to those who ask.
+    /** Memory that the limits of a control group and its parents leave, in
+     * bytes. The cache of files counts as used memory, but Linux frees it on
+     * demand.
      *
-     * @param path "" for the root. Seen from within a container it may be one
-     * of the machine, of which the container has the root only. */
+     * @param path Group, "" for the root. In a container, it may be a path on
+     * the host, of which the container sees the root only. */
     double
     left_by_groups(const GroupFiles &files, std::string path)
     {
@@ -105,7 +105,8 @@ namespace Crevasse
 
 
 
-    /** The groups of this process: lines "number:controllers:path". */
+    /** Memory that the control groups of this process leave, in bytes, from
+     * lines "number:controllers:path". */
     double
     left_by_groups()
     {
@@ -128,8 +129,8 @@ namespace Crevasse
 
 
 
-    /** What the machine can still give, as Linux says; infinite if it does not
-     * say. A container or a batch job may have less than its machine. */
+    /** Free memory in bytes, as Linux reports it; infinite if unknown. A
+     * container or a batch job may have less than its machine. */
     double
     free_memory()
     {
@@ -140,8 +141,7 @@ namespace Crevasse
 
 
 
-    /** What this process alone has; pages that ranks share are counted for
-     * none. */
+    /** Memory in bytes of this process without pages that ranks share. */
     double
     own_memory()
     {
@@ -184,7 +184,7 @@ namespace Crevasse
   double
   read_bandwidth(const double bytes)
   {
-    // Enough sums not to wait for one another.
+    // Independent sums, so that additions do not wait for one another.
     using Sums = std::array<VectorizedArray<double>, 16>;
     Sums sums;
     sums.fill(1.);
@@ -193,7 +193,7 @@ namespace Crevasse
                                    sums);
     const Timer             all;
     double                  least = infinite;
-    // What nobody looks at would not be summed.
+    // The compiler would remove sums whose value is not used.
     while (all.wall_time() < 0.05 ||
            std::accumulate(sums.begin(), sums.end(), 0. * sums[0])[0] == 0.)
       {

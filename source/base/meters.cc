@@ -43,8 +43,8 @@ namespace Crevasse
         summary["seconds"]["back_solve_mean"] = mean;
         if (!log.is_verbose)
           continue;
-        // All ranks read at once, and wait for the slowest one. A factor is
-        // read twice.
+        // All ranks read at once, and wait for the slowest. A linear solve
+        // reads a factor twice.
         const double bytes = m.bytes / m.calls;
         const double least = dealii::Utilities::MPI::max(
           bytes > 0. ? bytes / read_bandwidth(bytes / 2.) : 0., communicator);

@@ -26,18 +26,18 @@ namespace Crevasse
 
 
 
-    /** For functions with kinks and jumps: bisects where the error is largest
-     * until rounding is all that is left of it, or nothing more is gained.
+    /** Mean over a period of a function with kinks and jumps: bisects where the
+     * error is largest until only rounding is left, or nothing more is gained.
      *
-     * @param size of the values. */
+     * @param size Magnitude of the values of @p f. */
     double
     adaptive_mean(const Function &f, const double period, const double size)
     {
-      constexpr unsigned int n_parts = 128; // a pulse may hide in one of few
+      constexpr unsigned int n_parts = 128; // fewer parts may miss a pulse
       constexpr std::size_t  most_intervals = 200;
-      constexpr double       relative       = 2e-14; // the least it takes
-      constexpr double       rounding = std::numeric_limits<double>::epsilon();
-      gsl_set_error_handler_off(); // what is reached is good enough
+      constexpr double relative = 2e-14; // least tolerance that GSL accepts
+      constexpr double rounding = std::numeric_limits<double>::epsilon();
+      gsl_set_error_handler_off(); // any reached accuracy is enough
       const std::unique_ptr<gsl_integration_workspace,
                             void (*)(gsl_integration_workspace *)>
                    workspace(gsl_integration_workspace_alloc(most_intervals),
@@ -72,7 +72,7 @@ namespace Crevasse
     constexpr unsigned int coarsest = 128, finest = 8192;
     constexpr double rounding = 8. * std::numeric_limits<double>::epsilon();
 
-    // Away from the instants that formulas like, such as fractions of T.
+    // Offset that avoids instants where formulas jump, such as fractions of T.
     constexpr double offset = 0.309016994374947;
 
     double sum = 0., largest = 0.;
@@ -82,8 +82,8 @@ namespace Crevasse
         sum += value;
         largest = std::max(largest, std::abs(value));
       }
-    // Equal steps are blind to the harmonics that they divide: two refinements
-    // have to agree, so that only multiples of 512 could deceive.
+    // Equal steps miss harmonics that are multiples of their number: two
+    // refinements have to agree, so that only multiples of 512 remain.
     unsigned int agreements = 0;
     double       mean       = sum / coarsest;
     for (unsigned int n = coarsest; n < finest; n *= 2)

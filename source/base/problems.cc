@@ -11,8 +11,8 @@ namespace Crevasse
 {
   namespace
   {
-    /** What the user wrote is quoted in messages. A zero byte would end the
-     * text of an exception, and other control characters confuse a terminal. */
+    /** Replaces control characters in a message that quotes input: a zero byte
+     * would end the message, and others confuse a terminal. */
     std::string
     printable(std::string message)
     {
@@ -72,8 +72,8 @@ namespace Crevasse
   {
     if (messages.empty())
       return;
-    // File by file in the order in which they appear, the lines of each one
-    // after the other; at the end what has no line.
+    // Messages are sorted by file in the order of appearance, then by line;
+    // messages without a line come last.
     std::map<std::string, std::size_t> rank;
     for (const auto &[origin, message] : messages)
       rank.emplace(origin.source, rank.size());

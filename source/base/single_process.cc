@@ -20,7 +20,7 @@ namespace Crevasse
         return;
     setenv("OMPI_MCA_ess_singleton_isolated", "1", 0);
     setenv("OMPI_MCA_orte_create_session_dirs", "0", 0);
-    // What needs no such directory when a checkpoint's files are opened.
+    // This component needs no session directory when checkpoints are opened.
     setenv("OMPI_MCA_sharedfp", "individual", 0);
     setenv("OMPI_MCA_pml", "ob1", 0);
     setenv("OMPI_MCA_btl", "self", 0);

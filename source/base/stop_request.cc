@@ -12,7 +12,7 @@ namespace Crevasse
 {
   namespace
   {
-    // Set by handlers, in whichever thread they run.
+    // Number of a signal, and a flag, set by handlers in any thread.
     std::atomic<int> asked_to_stop(0), asked_to_write(0);
     static_assert(std::atomic<int>::is_always_lock_free,
                   "else handlers must not use them");
@@ -54,11 +54,11 @@ namespace Crevasse
 
   StopRequests::~StopRequests()
   {
-    // Who asks twice gets the status of a stopped run as well.
+    // A second signal to stop must not kill the program.
     if (asked_to_stop == 0)
       for (const auto &[signal, action] : actions_before)
         sigaction(signal, &action, nullptr);
-    // There is nothing left to write; the default would kill the program.
+    // No checkpoint is left to write; by default SIGUSR1 kills the program.
     handle(SIGUSR1, SIG_IGN);
   }
 

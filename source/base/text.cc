@@ -22,8 +22,8 @@ namespace Crevasse
   {
     namespace
     {
-      /** Characters to insert, delete or replace to turn one word into the
-       * other, small and capital letters being alike. */
+      /** Number of characters to insert, delete or replace to turn one word
+       * into the other, ignoring case. */
       std::size_t
       edit_distance(const std::string &a, const std::string &b)
       {
@@ -121,7 +121,7 @@ namespace Crevasse
     bool
     is_utf8(const std::string &text)
     {
-      // Texts end up in JSON files, so the writer of these is the judge.
+      // Texts are written to JSON files, so the JSON library judges them.
       try
         {
           nlohmann::json(text).dump();
@@ -165,7 +165,7 @@ namespace Crevasse
 
     namespace
     {
-      /** All of the text as one number. */
+      /** Reads all of a text as one number. */
       template <typename Number>
       std::optional<Number>
       read_all(const std::string &text)
@@ -185,7 +185,7 @@ namespace Crevasse
     to_number(const std::string &text)
     {
       std::string trimmed = dealii::Utilities::trim(text);
-      // from_chars knows no leading plus sign.
+      // std::from_chars rejects a leading plus sign.
       if (trimmed.size() > 1 && trimmed[0] == '+' && trimmed[1] != '-')
         trimmed.erase(0, 1);
       const auto number = read_all<double>(trimmed);
@@ -226,8 +226,8 @@ namespace Crevasse
       std::size_t least = 1 + std::max<std::size_t>(2, word.size() / 4);
       for (const std::string &candidate : candidates)
         {
-          // Each missing letter counts, so most candidates need no look at
-          // their letters, nor does a word of a million letters.
+          // The distance is at least the difference in length, so that most
+          // candidates and very long words need no comparison.
           const std::size_t difference =
             std::max(word.size(), candidate.size()) -
             std::min(word.size(), candidate.size());

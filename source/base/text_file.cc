@@ -16,7 +16,7 @@ namespace Crevasse
   std::string
   why_unreadable(const std::string &file_name)
   {
-    // Whatever hinders the look at the file hinders reading it, too.
+    // An error of is_directory() recurs when the file is opened below.
     std::error_code ignored;
     if (std::filesystem::is_directory(file_name, ignored))
       return "cannot be read: it is a directory";

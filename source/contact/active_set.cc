@@ -90,8 +90,8 @@ namespace Crevasse
   ActiveSet::next_set(const Vector &solution) const
   {
     const UnilateralBounds &bounds = problem.bounds;
-    // What the certificate grants is no reason to change the set: a node with
-    // neither force nor opening stays where it is.
+    // Errors within the certificate must not change the set: a node with
+    // neither force nor opening keeps its state.
     const double least_force = -0.5 * force_accuracy() * scales.force();
     const double least_opening =
       -0.5 * displacement_accuracy() * scales.displacement();
@@ -127,8 +127,8 @@ namespace Crevasse
     is_new(lip.gathered(active));
     hold_and_compute_residual(right_hand_side, solution);
 
-    bool exactly = false; // whether every set is solved to the last digit
-    bool settled = false; // whether the set stayed what it was
+    bool exactly = false; // whether every set is solved accurately
+    bool settled = false; // whether the set did not change
     not_reached  = 0;
     for (unsigned int n = 1;; ++n)
       {
@@ -136,7 +136,7 @@ namespace Crevasse
         face.project(active, correction);
         const double norm   = correction.l2_norm();
         const double target = residual_target();
-        // A set that a rough solution confirms most often is the right one.
+        // A set that a rough solution confirms is usually the right one.
         const bool last =
           exactly || settled || linear_tolerance * norm <= target;
         if (!std::isfinite(norm))
@@ -152,7 +152,7 @@ namespace Crevasse
             scale_by(right_hand_side, solution);
             hold_and_compute_residual(right_hand_side, solution);
           }
-        // Further sets are of no use to who cannot solve for them.
+        // Further sets do not help if their linear problems cannot be solved.
         constexpr unsigned int enough = 3;
         not_reached                   = reached ? 0 : not_reached + 1;
         if (not_reached == enough)
@@ -187,10 +187,10 @@ namespace Crevasse
                     return is_solved(right_hand_side, candidate);
                   },
                   maximum_iterations - n);
-                active = newton.held_bounds(); // where the next problem starts
+                active = newton.held_bounds(); // start of the next problem
                 return n;
               }
-            // Perhaps only because the sets before were solved roughly.
+            // A set may recur only because earlier sets were solved roughly.
             exactly = true;
             seen    = {further};
           }

@@ -33,7 +33,7 @@ namespace Crevasse
     largest_force         = std::max(largest_force, here[0]);
     displacement_to_round = std::max(displacement_to_round, here[1]);
     force_to_round        = std::max(force_to_round, here[2]);
-    // The viscous strain of a few periods makes up for a few times the load.
+    // The viscous strain of a few periods corresponds to a few times the load.
     constexpr double long_drift = 4.;
     if (load == 0. || here[0] <= long_drift * load ||
         largest_displacement == 0.)
@@ -45,8 +45,8 @@ namespace Crevasse
   double
   Scales::force() const
   {
-    // However long the drift, a load that is so much smaller than what it has
-    // added up to is no load.
+    // A load that is this much smaller than the force of the accumulated drift
+    // counts as no load.
     constexpr double least_load = 1e-6;
     const double     largest    = std::max(load, least_load * largest_force);
     if (load > 0.)
@@ -59,7 +59,7 @@ namespace Crevasse
   double
   Certificate::worst() const
   {
-    // Comparisons overlook nan, sums do not.
+    // Comparisons ignore NaN, sums do not.
     if (std::isnan(penetration + tension + complementarity + residual))
       return std::numeric_limits<double>::infinity();
     return std::max({penetration, tension, complementarity, residual});
@@ -120,7 +120,7 @@ namespace Crevasse
           {-opening, -g, std::min(std::abs(g), std::abs(opening)), 0.});
       }
 
-    // Comparisons alone would overlook what is not finite.
+    // Comparisons alone would ignore values that are not finite.
     bool   is_finite = std::isfinite(force) && std::isfinite(displacement);
     double largest   = 0.;
     for (const double entry : residual)

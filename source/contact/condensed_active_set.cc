@@ -13,7 +13,7 @@ namespace Crevasse
 
   namespace
   {
-    /** What each rank has of its bounds, of all of them. Collective. */
+    /** Values of all bounds from the values of each rank. Collective. */
     dealii::Vector<double>
     of_all(const LipGraph &lip, const std::vector<double> &local)
     {
@@ -117,8 +117,8 @@ namespace Crevasse
   unsigned int
   CondensedActiveSet::solve_with_springs(LipVector &on_lip)
   {
-    // What rounding leaves of loads does work, too: a second solution is as
-    // good as the certificate wants, if no better.
+    // Rounding errors of the loads do work, too: a second solution is as good
+    // as the certificate requires, if no better.
     constexpr double       negligible = 0.01;
     constexpr unsigned int most_steps = 100;
     unsigned int           n_sets     = 0;
@@ -159,9 +159,9 @@ namespace Crevasse
   CondensedActiveSet::leave_motions_free(const LipVector &forces) const
   {
     const unsigned int n_motions = free_motions.n();
-    // As in ContactBoundary: what rounding leaves of loads stops nothing.
+    // As in ContactBoundary, rounding errors of loads stop no motion.
     constexpr double   negligible = 1e-9;
-    FullMatrix<double> gram(n_motions); // of openings where there are forces
+    FullMatrix<double> gram(n_motions); // Gram matrix of pressed openings
     for (unsigned int i = 0; i < forces.size(); ++i)
       if (sign(i) * forces(i) >
           std::max(residual_target(), negligible * scales.force()))

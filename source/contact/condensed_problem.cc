@@ -31,8 +31,8 @@ namespace Crevasse
   unsigned int
   CondensedProblem::solve(const LipVector &loads, LipVector &displacement)
   {
-    // Nodes with neither force nor opening would never rest if what is negative
-    // by rounding only changed them too.
+    // Nodes with neither force nor opening would change forever if values that
+    // are negative by rounding changed them.
     constexpr double noise = 100. * std::numeric_limits<double>::epsilon();
     std::set<Set>    seen;
     bool             one_by_one = false;
@@ -107,8 +107,8 @@ namespace Crevasse
     factor.solve(on_open);
     displacement += on_open;
 
-    // On the set the opening vanishes, off it the force does: the sign of one
-    // number decides. A node with both zero stays where it is.
+    // Openings vanish on the set, forces off it: the sign of one number
+    // decides. With both zero, a node keeps its state.
     const double largest = displacement.linfty_norm();
     for (unsigned int i = 0; i < n; ++i)
       if (closed[i])

@@ -15,8 +15,8 @@ namespace Crevasse
 {
   namespace
   {
-    /** However bad the rounding, no solution with a larger error is accepted:
-     * it is also the largest tolerance that a scene may ask for. */
+    /** Largest accepted error, however bad the rounding, and largest tolerance
+     * of a scene. */
     constexpr double coarsest = 1e-2;
   } // namespace
 
@@ -140,7 +140,7 @@ namespace Crevasse
   {
     if (!linear_solver.is_direct())
       {
-        // The size of the solution belongs to the scales: a rough one tells.
+        // The scales need the size of the solution: first solve roughly.
         constexpr double rough = 1e-2;
         scale_by(right_hand_side, solution);
         linear_solver.solve(solution,
@@ -174,12 +174,12 @@ namespace Crevasse
     archive.on_bounds(forces);
     std::vector<bool> set = first_set();
     archive.on_bounds(set);
-    // Ranks without bounds take part in it.
+    // Ranks without bounds take part in start_from().
     if (archive.is_loading() &&
         dealii::Utilities::MPI::logical_or(!set.empty(),
                                            archive.communicator()))
       start_from(set);
-    // Another method may go on: there always is one, if an empty one.
+    // Another method may resume: always write a factor, maybe empty.
     const dealii::LAPACKFullMatrix<double> nothing;
     PrincipalFactor                        none(nothing);
     PrincipalFactor *const                 factor = lip_factor();

@@ -46,7 +46,7 @@ namespace Crevasse
         held_dofs.push_back(problem.bounds.dofs[k]);
     solver.hold(held_dofs);
 
-    // P A and P B, for vectors whose held entries are zero.
+    // Operators P A and P B, for vectors whose held entries are zero.
     const auto end = ConjugateGradients::iterate(
       [&](Vector &product, const Vector &v) {
         problem.stiffness.vmult(product, v);

@@ -16,8 +16,8 @@ namespace Crevasse
 
   namespace
   {
-    /** Edges move by this many layers at least, or the formulas are not those
-     * of a layer. */
+    /** Least number of layers by which edges move: for fewer layers the
+     * formulas do not hold. */
     constexpr unsigned int fewest_layers = 3;
   } // namespace
 
@@ -31,8 +31,8 @@ namespace Crevasse
   {
     std::partial_sum(counts.begin(), counts.end() - 1, starts.begin() + 1);
     first_local = starts[Utilities::MPI::this_mpi_process(communicator)];
-    // Numbers by dof, of all ranks: the lip is small. Bounds without a place
-    // have numbers, but no neighbours.
+    // Number of the node of each dof on all ranks: the lip is small. Bounds
+    // without a point have numbers, but no neighbours.
     std::vector<types::global_dof_index> with_place = problem.bounds.dofs;
     with_place.resize(with_place.size() - problem.bounds.n_global);
     const auto all_dofs = Utilities::MPI::all_gather(communicator, with_place);

@@ -39,8 +39,8 @@ namespace Crevasse
   void
   ProjectedNewton::find_face(const Vector &solution)
   {
-    // How far a projected Jacobi step would move: where bounds nearer than
-    // that are left out of the face, short steps could zigzag between them.
+    // Length of a projected Jacobi step: without the bounds within this reach,
+    // short steps could zigzag between bounds.
     const UnilateralBounds &bounds = problem.bounds;
     double                  reach  = 0.;
     for (std::size_t k = 0; k < held.size(); ++k)
@@ -67,8 +67,8 @@ namespace Crevasse
   bool
   ProjectedNewton::search_along_correction(Vector &solution)
   {
-    // With v the movement, the energy changes by ½vᵀAv − rᵀv. Armijo's rule
-    // compares with what the slope promises.
+    // With the movement v, the energy changes by ½vᵀAv − rᵀv. Armijo's rule
+    // compares this with the first-order decrease.
     constexpr double sufficient = 1e-4, shortest = 1e-12;
     for (double step = 1.; step > shortest; step *= 0.5)
       {
@@ -80,8 +80,8 @@ namespace Crevasse
           return false;
         problem.stiffness.vmult(product, trial);
         const double change = 0.5 * (trial * product) - residual * trial;
-        // To first order: of the free unknowns along the direction, of the held
-        // ones along what is left of the way after bending (Bertsekas, (32)).
+        // First-order decrease: of free unknowns along the direction, of held
+        // unknowns along their bent movement (Bertsekas, (32)).
         double of_held = 0.;
         for (std::size_t k = 0; k < held.size(); ++k)
           if (const auto i = problem.bounds.dofs[k]; held[k])
@@ -93,7 +93,7 @@ namespace Crevasse
         if (change <= -sufficient * promise)
           {
             solution += trial;
-            project(solution); // no rounding in a gap
+            project(solution); // removes rounding in gaps
             return true;
           }
       }
@@ -120,9 +120,8 @@ namespace Crevasse
         residual.sadd(-1., 1., right_hand_side);
         find_face(solution);
         face.solve(held, residual, residual_norm, correction);
-        // Newton's direction leaves them out; the diagonal of A presses them
-        // on, so that those which are near but not met come to rest on their
-        // bounds.
+        // Newton's direction excludes the held unknowns; the diagonal of A
+        // moves them, so that unknowns near their bounds reach them.
         for (std::size_t k = 0; k < held.size(); ++k)
           if (const auto i = problem.bounds.dofs[k]; held[k])
             correction(i) = residual(i) / problem.diagonal()(i);

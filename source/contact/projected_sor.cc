@@ -33,8 +33,8 @@ namespace Crevasse
   std::size_t
   ProjectedSor::iterate(const Vector &right_hand_side, Vector &solution)
   {
-    // The residuals seen during a sweep only tell when a certificate, which
-    // costs a matrix-vector product, is worth asking for.
+    // The residuals of a sweep only show when a certificate, which costs a
+    // matrix-vector product, is worthwhile.
     constexpr unsigned int sweeps_between_certificates = 10;
     scale_by(right_hand_side, solution);
     unsigned int next_certificate = 0;

@@ -47,7 +47,7 @@ namespace Crevasse
   std::vector<double>
   SignoriniProblem::springs() const
   {
-    // So weak that a few solutions are enough, far above rounding.
+    // Weak enough for few solutions, far above rounding.
     constexpr double    weak = 1e-8;
     std::vector<double> all;
     for (const auto dof : bounds.dofs)

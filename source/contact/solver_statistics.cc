@@ -10,7 +10,7 @@ namespace Crevasse
 {
   namespace
   {
-    /** Those of summary.json. */
+    /** Names and values of the counters in summary.json. */
     constexpr std::pair<const char *, std::size_t SolverStatistics::*>
       counters[] = {{"assemblies", &SolverStatistics::assemblies},
                     {"factorisations", &SolverStatistics::factorisations},

@@ -45,8 +45,8 @@ namespace Crevasse
             const double gap  = problem.bounds.gap[bound];
             if (sign * next <= gap)
               {
-                // What pushes against the bound is a contact force; what a
-                // moving unknown still lacks counts by its movement.
+                // A residual against the bound is a contact force; a moving
+                // unknown counts by its movement.
                 next     = sign * gap;
                 residual = diagonal[i] * (next - q[i]);
               }
@@ -55,7 +55,7 @@ namespace Crevasse
         sum += next;
         largest_residual = std::max(largest_residual, std::abs(residual));
       }
-    // A diverged iterate shows in the sum; the maximum would overlook nan.
+    // The sum reveals a diverged iterate; the maximum would ignore NaN.
     return std::isfinite(sum) ? largest_residual
                               : std::numeric_limits<double>::infinity();
   }
@@ -93,12 +93,12 @@ namespace Crevasse
                      const double       target,
                      const unsigned int maximum_iterations) const
   {
-    // The finer the mesh, the nearer the optimum to 2, like 2 − h: the search
-    // runs in y = −log₂(2 − ω), where y = −1 is ω = 0.
+    // The optimal factor approaches 2 like 2 − h: the search uses y = −log₂(2 −
+    // ω), where y = −1 is ω = 0.
     const auto factor = [](const double y) { return 2. - std::exp2(-y); };
 
-    // Coarse: whole y, all with few iterations; twice as many until some
-    // factor reaches the target. None needs more than twice the best one.
+    // Coarse search: integer y, all with few iterations; then twice as many
+    // until some factor reaches the target: at most twice the best number.
     constexpr int n_coarse = 16;
     int           best     = -1;
     unsigned int  n_best   = maximum_iterations;
@@ -125,7 +125,7 @@ namespace Crevasse
             ". Raise it, or give the factor as a number.");
       }
 
-    // Fine: golden section between the neighbours of the best.
+    // Fine search: golden section between the neighbours of the best.
     const auto cost = [&](const double y) {
       const SorCount count =
         count_iterations(right_hand_side, factor(y), target, 4 * n_best);

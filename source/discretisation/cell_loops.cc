@@ -13,8 +13,8 @@ namespace Crevasse
 
   namespace
   {
-    /** Places behind the last cell that a batch may read: one less than the
-     * most lanes. */
+    /** Number of entries behind the last cell that a batch may read: one less
+     * than the largest number of lanes. */
     constexpr unsigned int padding = 15;
   } // namespace
 
@@ -168,7 +168,7 @@ namespace Crevasse
     , vector(vector)
   {
     vector.update_ghost_values();
-    // Like ghost values, entries that do not belong to the value of a vector.
+    // Constrained entries, like ghost values, are not part of a vector's value.
     Real *const values = const_cast<VectorOf<Real> &>(vector).begin();
     own_values.reserve(loops.constrained_indices.size());
     for (const unsigned int index : loops.constrained_indices)

@@ -16,7 +16,7 @@ namespace Crevasse
   {
     using CellShape = BatchGeometry::Shape;
 
-    /** ∂ξ_d/∂x_e, row by row, the ratio of volumes, and of rings 1/x₁. */
+    /** Geometry at a point: ∂ξ_d/∂x_e, ratio of volumes, 1/x₁ of rings. */
     template <int dim>
     using PointGeometry = std::array<double, dim * dim + 2>;
 
@@ -39,8 +39,8 @@ namespace Crevasse
       return of_point;
     }
 
-    /** That of a cell with straight edges, if these are parallel but for
-     * rounding; otherwise without points. */
+    /** Geometry of a cell with straight edges that are parallel up to rounding;
+     * otherwise without points. */
     template <int dim, typename Cell>
     CellGeometry<dim>
     simple_geometry(const Cell &cell)
@@ -80,8 +80,8 @@ namespace Crevasse
               {point_geometry<dim>(invert(jacobian), determinant(jacobian))}};
     }
 
-    /** Collects the geometry of cells in batches. Those of simple shapes that
-     * are equal but for rounding share their numbers. */
+    /** Collects the geometry of cells in batches. Simple shapes that are equal
+     * up to rounding share their numbers. */
     template <int dim, typename Real>
     class BatchPacker
     {
@@ -172,8 +172,8 @@ namespace Crevasse
         std::size_t start = values.size();
         if (shape != CellShape::other)
           {
-            // Rounding of vertices makes equal cells differ by a part of
-            // 1e-16 times the number of cells across.
+            // Rounding of vertices changes equal cells by 1e-16 times the
+            // number of cells across.
             const auto are_equal = [](const Real a, const Real b) {
               return std::abs(a - b) <= 1e-12 * std::abs(a);
             };
@@ -194,7 +194,7 @@ namespace Crevasse
       }
 
       const Quadrature<dim> rule;
-      const bool            is_straight; ///< all edges of all cells
+      const bool            is_straight; ///< all edges
       const FE_Nothing<dim> no_functions;
       FEValues<dim>         fe_values;
       const unsigned int    n_lanes;
@@ -204,8 +204,8 @@ namespace Crevasse
       std::vector<CellGeometry<dim>> batch;
       std::vector<Real>              numbers;
 
-      /** Where the latest of equal floats are in values: one candidate for
-       * each batch, however many cells differ by less than floats can tell. */
+      /** Position of the latest numbers that are equal as floats: one candidate
+       * for each batch, however many cells differ by less than floats show. */
       std::map<std::vector<float>, std::size_t> known;
     };
   } // namespace

@@ -13,8 +13,8 @@ namespace Crevasse
   {
     using Cells = std::vector<types::global_cell_index>;
 
-    /** Coarsens all that can be coarsened; returns the children of the cells
-     * there are then. */
+    /** Coarsens all cells that can be coarsened; returns the children of the
+     * resulting cells. */
     template <int dim>
     std::vector<Cells>
     coarsen(Mesh<dim> &mesh)

@@ -16,7 +16,7 @@ namespace Crevasse
 
   namespace
   {
-    /** What coordinates of the body round to. */
+    /** Rounding error of coordinates of the body. */
     template <int dim>
     double
     rounding_of_coordinates(const Triangulation<dim> &mesh)
@@ -90,7 +90,7 @@ namespace Crevasse
                                const std::vector<double> &contact_forces) const
   {
     const double touching  = 1e-10 * displacement.linfty_norm();
-    Vector       pressures = space.ghosted_vector(); // negative where open
+    Vector       pressures = space.ghosted_vector(); // negative if open
     std::vector<LipNodeState> all;
     for (unsigned int k = 0; k < nodes.size(); ++k)
       {

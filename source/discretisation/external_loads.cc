@@ -150,7 +150,7 @@ namespace Crevasse
       for_each_loaded_point(space, component, in_volume, f);
     };
     if (!component_value.depends_on_time())
-      // A formula without a value somewhere is known to one rank only.
+      // Only one rank may find a formula without a value at a point.
       collectively(space.communicator(), [&]() {
         for_each_point([&](const dealii::Point<dim> &point, Weights &&weights) {
           const double value = component_value.value(point);

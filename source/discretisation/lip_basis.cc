@@ -31,7 +31,7 @@ namespace Crevasse
 
 
 
-    /** Directions that differ from an axis by rounding are that axis. */
+    /** Unit vector, with components removed that are rounding errors. */
     template <int dim>
     Tensor<1, dim>
     unit(Tensor<1, dim> vector)
@@ -46,13 +46,13 @@ namespace Crevasse
 
 
 
-  /** What only the construction needs. */
+  /** Data that only the construction of LipBasis needs. */
   template <int dim>
   struct LipBasis<dim>::Surroundings
   {
     std::vector<std::vector<unsigned int>> nodes_of_faces;
-    std::multimap<Index, unsigned int>     nodes_at; ///< by their first dofs
-    std::vector<Tensor<1, dim>>            loads;    ///< ∫φ n of the nodes
+    std::multimap<Index, unsigned int>     nodes_at; ///< by first dofs
+    std::vector<Tensor<1, dim>>            loads;    ///< ∫φ n of nodes
     Meanings                               supported;
   };
 
@@ -143,7 +143,7 @@ namespace Crevasse
       for (auto at = begin; at != end; ++at)
         if (const Node &known = nodes[at->second]; known.sides == sides)
           {
-            // Before rigid planes that meet, a node has an opening for each.
+            // Where rigid planes meet, a node has an opening for each plane.
             const double cosine = unit(known.normal) * unit(inward);
             if (!is_crack && cosine < -1. + 1e-10)
               throw_dependent(node.point);
@@ -231,7 +231,7 @@ namespace Crevasse
                 }
         n_hanging += is_hanging ? 1 : 0;
       }
-    // If the other side does not, the opening is not interpolated.
+    // If only one side hangs, the opening is not interpolated.
     if (n_hanging < n_sides)
       node.masters.clear();
     return n_hanging == n_sides;
@@ -251,7 +251,7 @@ namespace Crevasse
                        (side == 0 ? 1. : -1.) * node.normal[d],
                        supported,
                        opening);
-    // Of a pair it might be a degree of freedom of the other lip's rank alone.
+    // With two lips, a degree of freedom may belong to another rank's lip.
     const auto unknown =
       make_unknown(opening, node.sides[1] == numbers::invalid_dof_index);
     if (!unknown)
@@ -276,7 +276,7 @@ namespace Crevasse
         double largest = 0.;
         for (const unsigned int i : on_face)
           largest = std::max(largest, loads[i].norm());
-        // A force on less would amplify the error of the elements.
+        // Dividing forces by a smaller weight would amplify errors.
         constexpr double least = 1e-3;
         for (const unsigned int i : on_face)
           if (const double weight = loads[i] * nodes[i].normal;
@@ -301,7 +301,7 @@ namespace Crevasse
                 const double length = nodes[i].point.distance(nodes[j].point);
                 const auto [at, is_first] =
                   nearest.emplace(i, std::make_pair(length, j));
-                // The first of equals stays.
+                // Of equally near nodes the first one is used.
                 if (!is_first && length < (1. - 1e-10) * at->second.first)
                   at->second = {length, j};
               }
@@ -322,8 +322,8 @@ namespace Crevasse
               most = std::max(most, factor);
             }
         if (node.weight == 0. && strongest >= 0 && std::abs(rest) > 1e-10)
-          // What a hanging node has from others without weight, it takes from
-          // the nearest.
+          // A hanging node takes the share of masters without weight from the
+          // nearest node.
           masters.emplace_back(strongest, rest);
         for (const auto &[master, factor] : masters)
           nodes[master].area += factor * node.area;

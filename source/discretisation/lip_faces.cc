@@ -19,7 +19,7 @@ namespace Crevasse
 
   namespace
   {
-    /** The contributions of a face whose values are there. */
+    /** Contributions of the nodes of a face whose values are computed. */
     template <int dim>
     std::vector<typename LipFace<dim>::Node>
     nodes_of(const FEFaceValues<dim>                    &face,

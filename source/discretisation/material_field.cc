@@ -19,13 +19,13 @@ namespace Crevasse
 
   namespace
   {
-    /** A material with more values than these is taken as one that varies from
-     * point to point: looking for equal ones would be in vain. */
+    /** Largest number of values of a material that are compared: a material
+     * with more values varies from point to point. */
     constexpr std::size_t worth_sharing = 1000;
 
 
 
-    /** The bytes of some values, as the key of what they make. */
+    /** Bytes of values, as a key of objects made from them. */
     std::string
     key_of(const std::vector<double> &values)
     {
@@ -35,8 +35,8 @@ namespace Crevasse
 
 
 
-    /** Gives materials the same number that meet nowhere, nor a third one: the
-     * first free one, in their order. @param materials by active cell index. */
+    /** Gives each material the first unused number: materials that neither meet
+     * nor meet a third one may share it. @param materials By cell index. */
     template <int dim>
     void
     share_numbers(const Mesh<dim>           &mesh,
@@ -51,7 +51,7 @@ namespace Crevasse
           materials[cell->active_cell_index()] = material;
         });
       const auto cells_of = GridTools::vertex_to_cell_map(mesh);
-      std::set<std::pair<unsigned int, unsigned int>> near; // the later first
+      std::set<std::pair<unsigned int, unsigned int>> near; // larger first
       for (const auto &cell : owned_cells(mesh))
         {
           std::set<unsigned int> around;
@@ -84,7 +84,7 @@ namespace Crevasse
 
 
 
-    /** Those that are not 0. */
+    /** Free strains that are not 0. */
     template <int dim>
     std::vector<const typename MaxwellLaw<dim>::FreeStrain *>
     free_strains_of(const MaxwellLaw<dim>  &law,
@@ -100,7 +100,7 @@ namespace Crevasse
 
 
 
-    /** The parameters that free strains come from. */
+    /** Names of the parameters of free strains. */
     template <typename FreeStrains>
     std::string
     names_of(const FreeStrains &strains)
@@ -167,7 +167,7 @@ namespace Crevasse
         constant.spring -= branch.fraction;
       }
     if (!law.has_spring())
-      constant.spring = 0.; // but for rounding
+      constant.spring = 0.; // removes rounding
     constant.fluidity.resize(law.branches.size());
     collectively(communicator, [&]() {
       if (!stiffness_varies)
@@ -291,7 +291,7 @@ namespace Crevasse
     const auto distinguish = [&](const Matrices &values) {
       if (values.is_uniform())
         return;
-      int  constant = 0; // cells, less the others
+      int  constant = 0; // constant minus varying cells
       auto longer   = keys;
       auto key      = longer.begin();
       for (const auto &cell : owned_cells(space.mesh()))
@@ -306,7 +306,7 @@ namespace Crevasse
                   entries.push_back(values[first + q][i][j]);
               distinct.insert(key_of(entries));
             }
-          // Where moduli vary within cells, these are one material.
+          // Cells within which moduli vary are one material.
           const bool is_constant = distinct.size() == 1;
           constant += is_constant ? 1 : -1;
           *key++ += is_constant ? *distinct.begin() : "varying";

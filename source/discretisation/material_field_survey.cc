@@ -10,8 +10,8 @@ namespace Crevasse
 
   namespace
   {
-    /** No more than the mean over the period of what has these values at these
-     * instants: of each interval the lesser of its ends, beside a jump too. */
+    /** Lower bound of the mean over the period of a function with these values:
+     * uses the lesser end of each interval between instants, also at jumps. */
     double
     lower_mean(const std::vector<double> &instants,
                const std::vector<double> &values,
@@ -36,7 +36,7 @@ namespace Crevasse
   MaterialField<dim>::extreme_rates(const MaterialState<dim> &state) const
   {
     RelaxationRates all{std::numeric_limits<double>::infinity(), 0., true};
-    if (state.creep_power != nullptr) // the stress alone tells
+    if (state.creep_power != nullptr) // depends on stress
       return {std::numeric_limits<double>::infinity(), 0., false};
     for (unsigned int i = 0; i < state.fluidity.size(); ++i)
       {
@@ -66,7 +66,7 @@ namespace Crevasse
     MaterialState<dim>  factors;
     const bool          rates_vary = stiffness_varies || fluidity_varies;
     RelaxationRates     now, all{infinity, 0., true};
-    std::vector<double> least_rates, fluidity_factors; // of all instants
+    std::vector<double> least_rates, fluidity_factors; // at all instants
     double              creep_exponent = 1.;
     for (const double t : instants)
       {

@@ -63,7 +63,7 @@ namespace Crevasse
   PolarField
   square_root_without_jump(const CrackMode mode)
   {
-    // The derivative of the first term by κ, times κ + 1, less that term.
+    // Derivative of the first term by κ, times κ + 1, minus that term.
     const double sign = mode == CrackMode::opening ? -1. : 1.;
     return PolarField(0.5,
                       mode,

@@ -17,7 +17,7 @@ namespace Crevasse
 
   namespace
   {
-    /** The names of the entries from @p begin to @p end that are not 0. */
+    /** Names of the non-zero entries from @p begin to @p end. */
     std::string
     nonzero(const std::vector<double>       &entries,
             const unsigned int               begin,
@@ -33,7 +33,7 @@ namespace Crevasse
 
 
 
-    /** A motion of one part; empty if it rests. */
+    /** Description of the motion of one part; empty if it rests. */
     template <int dim>
     std::string
     describe(const std::vector<double> &mode, const RigidParts<dim> &parts)
@@ -45,7 +45,7 @@ namespace Crevasse
         return axes.empty() ? axes : "translation along" + axes;
       if (dim == 3)
         return "rotation in the plane" + planes;
-      // u = t + w (−y, x) = 0 at the centre of rotation.
+      // Centre of rotation: u = t + w (−y, x) = 0.
       const double     length  = parts.size();
       const Point<dim> middle  = parts.body.center();
       const auto       rounded = [&](const double x) {
@@ -59,7 +59,7 @@ namespace Crevasse
 
 
 
-    /** The parts that move, and how. */
+    /** Description of the moving parts and their motions. */
     template <int dim>
     std::string
     describe_all(const std::vector<double> &motion,
@@ -96,8 +96,8 @@ namespace Crevasse
 
 
 
-    /** The component of each dof that this rank sees, and the parts of the mesh
-     * that share it. */
+    /** Component of each dof that this rank sees, and the parts of the mesh
+     * that share the dof. */
     using Memberships =
       std::map<types::global_dof_index,
                std::pair<unsigned int, std::set<unsigned int>>>;
@@ -126,9 +126,9 @@ namespace Crevasse
 
 
 
-    /** The Gram matrix of what the rigid modes of all parts violate: support
-     * constraints, and the ties between parts that share dofs. Its kernel is
-     * the unconstrained motions. */
+    /** Gram matrix of the constraints that the rigid modes of all parts
+     * violate: supports, and ties between parts that share dofs. Its kernel
+     * consists of the unconstrained motions. */
     template <int dim>
     FullMatrix<double>
     constraint_gram_matrix(const Space<dim>      &space,
@@ -173,7 +173,7 @@ namespace Crevasse
               add_outer_product(gram, violation);
             }
       Utilities::MPI::sum(gram, space.communicator(), gram);
-      // Rings strain if they move but along the axis.
+      // Rings are strained by all motions except along the axis.
       for (unsigned int i = 0; space.roles.has_axis && i < gram.m(); ++i)
         if (i % n_modes != 1)
           gram(i, i) += 1.;
@@ -182,8 +182,8 @@ namespace Crevasse
 
 
 
-    /** The Gram matrix of the mean square of the openings of all nodes of the
-     * lips, or of some: a motion in its kernel slides along them. */
+    /** Gram matrix of the mean square of the openings of all nodes of the lips,
+     * or of some: a motion in its kernel slides along the lips. */
     template <int dim>
     FullMatrix<double>
     opening_gram_matrix(const Space<dim>        &space,
@@ -214,8 +214,8 @@ namespace Crevasse
 
 
 
-    /** Motions of these modes that @p gram does not constrain. They are then
-     * locked: later ones are orthogonal to them. */
+    /** Finds motions of these modes that @p gram does not constrain, and then
+     * locks them: later motions are orthogonal to them. */
     std::vector<std::vector<double>>
     find_and_lock(FullMatrix<double>              &gram,
                   const std::vector<unsigned int> &modes)
@@ -225,7 +225,7 @@ namespace Crevasse
       LAPACKFullMatrix<double> matrix(modes.size());
       matrix = block;
       dealii::Vector<double> eigenvalues;
-      // The modes are scaled to unit size.
+      // Modes are scaled to unit size, which the tolerance assumes.
       matrix.compute_eigenvalues_symmetric(
         -1., 1e-12, 0., eigenvalues, eigenvectors);
 
@@ -242,9 +242,9 @@ namespace Crevasse
 
 
 
-    /** A basis of the kernel. So that each motion has a name: parts alone
-     * before parts together, and translations before what is orthogonal to
-     * them. */
+    /** Basis of the kernel of a Gram matrix. For simple names, single parts
+     * come before several parts together, and translations before motions
+     * orthogonal to them. */
     template <int dim>
     std::vector<std::vector<double>>
     kernel(FullMatrix<double> gram, const RigidParts<dim> &parts)
@@ -275,7 +275,7 @@ namespace Crevasse
     parts_of(const Space<dim> &space)
     {
       const RigidParts<dim> parts(space.mesh());
-      // More are a mesh with unmerged nodes; the Gram matrix is dense.
+      // More parts mean a mesh with unmerged nodes; the Gram matrix is dense.
       if (parts.n_parts > 300)
         throw SceneError("[Geometry] Mesh file: the mesh falls into " +
                          std::to_string(parts.n_parts) +
@@ -299,7 +299,7 @@ namespace Crevasse
 
 
 
-    /** " Boundary ids without a role: 0, 1.", or nothing. */
+    /** Text " Boundary ids without a role: 0, 1.", or empty. */
     template <int dim>
     std::string
     ids_without_role(const Space<dim> &space)

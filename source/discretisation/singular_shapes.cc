@@ -55,14 +55,14 @@ namespace Crevasse
   {
     Assert(n >= 1 && n <= 3, ExcInternalError());
     const double kappa = elasticity.kappa();
-    // 2μu = williams_term(1) has √(2π).
+    // K of w₁: 2μu = williams_term(1) has K = √(2π).
     const double intensity = 2. * elasticity.shear_modulus *
                              std::sqrt(2. * numbers::PI / length) /
                              (kappa + 1.);
     SingularFunctions functions;
     for (const CrackMode mode : {CrackMode::opening, CrackMode::sliding})
       {
-        // The n-th term moves the lips by (κ + 1) r^{n/2}, up to its sign.
+        // The n-th term opens the lips by (κ + 1) r^{n/2}, up to its sign.
         const auto add = [&](PolarField field, const double power) {
           field *= std::pow(length, -power) / (kappa + 1.);
           functions.push_back({tip, mode, field, radius, 0.});

@@ -123,7 +123,7 @@ namespace Crevasse
     quadratures.push_back(QGauss<dim>(finite_element.degree + 2));
     if constexpr (dim == 2)
       {
-        // As Mousavi and Sukumar (Comput. Mech. 45, 2010) for 1/√r.
+        // Exponent of Mousavi and Sukumar (Comput. Mech. 45, 2010) for 1/√r.
         constexpr double beta = 2., near_size = 3.5;
         quadratures.push_back(QGauss<dim>(5));
         for (const unsigned int v : GeometryInfo<dim>::vertex_indices())
@@ -188,7 +188,7 @@ namespace Crevasse
       if (lips_closed && node.has_unknown() &&
           constraints.can_store_line(node.unknown))
         constraints.add_line(node.unknown);
-    // Without a lip there is none that they could open.
+    // Opening functions are fixed if there is no lip to open.
     for (unsigned int k = 0; shapes != nullptr && k < shapes->size(); ++k)
       if (shapes->functions[k].opens() && (!roles.has_lip() || lips_closed))
         constraints.add_line(singular_unknown(k));
@@ -207,7 +207,7 @@ namespace Crevasse
         if (!cell->is_artificial())
           for (const unsigned int v : cell->vertex_indices())
             {
-              // Coordinates are as exact as those of the coarse mesh.
+              // Coordinates are as accurate as those of the coarse mesh.
               if (cell->vertex(v).distance(fixed_point.point) >
                   std::max(1e-8, 1e-10 * std::ldexp(1., cell->level())) *
                     cell->diameter())
@@ -243,7 +243,7 @@ namespace Crevasse
   Vector
   Space<dim>::nodal_values(const Vector &displacement) const
   {
-    // deal.II 9.6 wants as many entries as the constraints know unknowns.
+    // deal.II 9.6 requires an entry for each unknown of the constraints.
     Vector unknowns(locally_owned_unknowns, communicator());
     unknowns.copy_locally_owned_data_from(displacement);
     constraints.distribute(unknowns);
@@ -314,8 +314,8 @@ namespace Crevasse
       return true;
     };
 
-    // The distance, then the coordinates: of equally near vertices all ranks
-    // choose the first.
+    // Compare the distance, then the coordinates: all ranks choose the same of
+    // equally near vertices.
     constexpr double            far = std::numeric_limits<double>::max();
     std::array<double, dim + 1> nearest;
     nearest.fill(far);
@@ -351,7 +351,7 @@ namespace Crevasse
     std::vector<std::pair<Point<dim>, Point<dim>>> moves;
     for (const FixedPoint<dim> &fixed_point : fixed_points)
       {
-        std::vector<Point<dim>> taken; // by other points
+        std::vector<Point<dim>> taken; // taken by other points
         for (const auto &[from, to] : moves)
           if (from != fixed_point.point)
             taken.push_back(to);
@@ -384,7 +384,7 @@ namespace Crevasse
       }
     catch (const SceneError &)
       {
-        // Cells at both lips may not be joined alike.
+        // Coarsening may leave different cells at the two lips.
         if (roles.crack.empty())
           throw;
         return nullptr;

@@ -36,8 +36,8 @@ namespace Crevasse
                                 const MaterialState<dim>  &material,
                                 const Vector              *elastic_displacement)
   {
-    // Each at what a face (a cell) of the size h adds to the energy norm of
-    // the error, by comparison with errors that are known.
+    // Factors of faces and cells of size h in the squared energy norm of the
+    // error, from comparison with known errors.
     constexpr double of_faces = 1. / 16., of_cells = 1. / 16.;
 
     const std::vector<double> compliance = compliances(material);
@@ -69,7 +69,7 @@ namespace Crevasse
       space, polynomials, lip, loads, t, contact_forces);
     polynomials.fit(space, points, regular, residual.stress);
     dealii::Vector<double> squares(largest.size());
-    // A face between cells counts for both, from the side of the finer one.
+    // A face counts for both cells, and is integrated from the finer one.
     const auto add_jump = [&](const auto &cell, const unsigned int f) {
       const double half =
         0.5 * of_faces / degree * residual.jump(cell, f, compliance);

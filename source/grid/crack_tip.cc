@@ -14,7 +14,7 @@ namespace Crevasse
 
   namespace
   {
-    /** The outward unit normal of a plane face of a cell. */
+    /** Outward unit normal of a plane face of a cell. */
     template <int dim>
     Tensor<1, dim>
     outward_normal(const typename Triangulation<dim>::cell_iterator &cell,
@@ -35,12 +35,12 @@ namespace Crevasse
 
 
 
-    /** A face of the lip or of the plane of symmetry at one of its ends: a
-     * vertex in the plane, with the same point twice, an edge in space. */
+    /** A face of the lip or of the plane of symmetry at one of its ends: at a
+     * vertex in the plane, stored twice, or at an edge in space. */
     template <int dim>
     struct FaceAtEnd
     {
-      unsigned int                      index; ///< of the vertex or edge
+      unsigned int                      index; ///< index of the vertex or edge
       std::pair<Point<dim>, Point<dim>> end;
       Point<dim>                        center;
       Tensor<1, dim>                    normal;
@@ -48,7 +48,7 @@ namespace Crevasse
 
 
 
-    /** By the index. */
+    /** Faces by the index of their vertex or edge. */
     template <int dim>
     using FacesAtEnds = std::multimap<unsigned int, FaceAtEnd<dim>>;
 
@@ -87,8 +87,8 @@ namespace Crevasse
 
 
 
-    /** Calls f(lip face, face of the plane of symmetry) where the one goes
-     * straight on as the other. */
+    /** Calls f(lip face, face of the plane of symmetry) where a lip face
+     * continues straight as a face of the plane of symmetry. */
     template <int dim, typename Function>
     void
     for_each_end_of_lip(const Triangulation<dim> &mesh,

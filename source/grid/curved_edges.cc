@@ -20,7 +20,7 @@ namespace Crevasse
 
   namespace
   {
-    /** The centre of the circle through three points; none if the last one is
+    /** Centre of the circle through three points; no value if the last point is
      * on the straight line, to 1e-7 of its length. */
     template <int dim>
     std::optional<Point<dim>>
@@ -31,7 +31,7 @@ namespace Crevasse
       constexpr double  straight = 1e-7, off_middle = 0.2;
       const std::string edge = "the edge from " + Text::from_point(begin) +
                                " to " + Text::from_point(end);
-      // Along the chord and across, in units of the chord.
+      // Deviation of the middle along the chord and across, in chord lengths.
       const Tensor<1, dim> chord  = end - begin;
       const Tensor<1, dim> shift  = middle - (begin + 0.5 * chord);
       const double         along  = shift * chord / chord.norm_square();

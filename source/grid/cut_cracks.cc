@@ -11,9 +11,9 @@ namespace Crevasse
   namespace
   {
     using Nodes = std::vector<std::size_t>;
-    /** Where a face is: its cell and its number there. */
+    /** Cell of a face, and the number of the face in the cell. */
     using CellFace = std::pair<std::size_t, std::size_t>;
-    /** By their sorted nodes. */
+    /** Cells and numbers of faces, by the sorted nodes of the faces. */
     using Faces = std::map<Nodes, std::vector<CellFace>>;
 
 
@@ -42,14 +42,14 @@ namespace Crevasse
 
 
 
-    /** The cells around a node in parts that hang together by faces at it which
-     * are not cut. */
+    /** Parts into which cut faces divide the cells around a node: cells of a
+     * part are connected by uncut faces at the node. */
     std::vector<std::vector<std::size_t>>
     parts_around(const std::vector<std::size_t> &around,
                  const std::vector<Nodes>       &uncut_faces,
                  const Faces                    &faces)
     {
-      std::map<std::size_t, std::size_t> part_of; // by cell: another one of it
+      std::map<std::size_t, std::size_t> part_of; // parent of each cell
       for (const std::size_t cell : around)
         part_of[cell] = cell;
       const auto root = [&](std::size_t cell) {
@@ -71,7 +71,7 @@ namespace Crevasse
 
 
 
-    /** Faces between two cells of these groups. */
+    /** Nodes of boundary elements of these groups between two cells. */
     std::set<Nodes>
     find_cuts(const std::set<unsigned int>   &groups,
               const std::vector<MeshElement> &boundary,
@@ -97,7 +97,7 @@ namespace Crevasse
       std::map<std::size_t, std::vector<Nodes>>       uncut_faces;
       for (const Nodes &cut : cuts)
         for (const std::size_t node : cut)
-          uncut_faces[node]; // there may be none
+          uncut_faces[node]; // even if it has none
       for (std::size_t c = 0; c < mesh.cells.size(); ++c)
         for (const std::size_t node : mesh.cells[c].nodes)
           if (uncut_faces.count(node) > 0)
@@ -126,8 +126,8 @@ namespace Crevasse
 
 
 
-    /** @throw SceneError if an element of a crack keeps all of its nodes: then
-     * the crack ends at each of them. */
+    /** Checks that each element of a crack has doubled nodes. @throw SceneError
+     * if the crack ends at all nodes of an element. */
     void
     require_opening(const std::set<Nodes> &cuts,
                     const Faces           &faces,
@@ -161,7 +161,7 @@ namespace Crevasse
 
 
 
-    /** Boundary elements with the nodes that their cells have now, one for
+    /** Boundary elements with the new nodes of their cells, one element for
      * either side of a cut. */
     std::vector<MeshElement>
     boundary_of(const GmshMesh        &mesh,
@@ -173,7 +173,7 @@ namespace Crevasse
         if (const auto face = faces.find(sorted(element.nodes));
             face == faces.end() ||
             (face->second.size() > 1 && cuts.count(face->first) == 0))
-          boundary.push_back(element); // to be refused
+          boundary.push_back(element); // check_faces() reports it
         else
           for (const auto &[c, f] : face->second)
             boundary.push_back({element.number,
@@ -184,7 +184,7 @@ namespace Crevasse
 
 
 
-    /** Adds the middles of edges that have other nodes now. */
+    /** Adds the middles of edges whose nodes were doubled. */
     void
     add_middles(const std::vector<MeshElement> &uncut, GmshMesh &mesh)
     {

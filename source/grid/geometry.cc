@@ -39,7 +39,7 @@ namespace Crevasse
 
 
 
-    /** Steps along the crack plane, one of whose ends is the tip. */
+    /** Sizes of cells along the crack plane, with the tip at a vertex. */
     std::vector<double>
     steps_through_tip(const GeometryParameters &parameters,
                       const unsigned int        n)
@@ -60,7 +60,7 @@ namespace Crevasse
 
 
 
-    /** From the generator's ids, two for each axis in turn. */
+    /** Sets the boundary ids from deal.II's ids, two for each axis in turn. */
     template <int dim>
     void
     set_boundary_ids(const GeometryParameters &parameters,
@@ -97,8 +97,8 @@ namespace Crevasse
       if (dim == 3)
         steps[dim - 1] = equal_steps(parameters.thickness, n[dim - 1]);
 
-      // The far corner is the sum of the steps, as the generator computes it:
-      // it insists on equality.
+      // GridGenerator requires that the far corner equals the sum of the steps
+      // exactly.
       Point<dim> corner;
       for (unsigned int d = 0; d < dim; ++d)
         corner[d] = std::accumulate(steps[d].begin(), steps[d].end(), 0.);
@@ -110,7 +110,7 @@ namespace Crevasse
 
 
 
-    /** What deal.II has to say, without the place in its source. */
+    /** Message of a deal.II exception, without the line of its source. */
     std::string
     reason(const std::exception &error)
     {
@@ -125,9 +125,8 @@ namespace Crevasse
 
 
 
-    /** The program cannot compute on cells that fold over. A triangulation
-     * could look for them while it is created, but not among triangles, nor
-     * with curved edges. */
+    /** Checks that no cell folds over. deal.II could check this while it
+     * creates a triangulation, but not for triangles or curved edges. */
     template <int dim>
     void
     require_convex_cells(const Triangulation<dim> &mesh,
@@ -135,7 +134,7 @@ namespace Crevasse
     {
       if (!mesh.all_reference_cells_are_hyper_cube())
         throw SceneError(where + only_hypercubes(dim));
-      // At the corners; if edges are curved, in their middles and inside too.
+      // Check corners; with curved edges, also middles of edges and interior.
       const unsigned int    most = has_curved_edges(mesh) ? 2 : 1;
       const FE_Nothing<dim> no_unknowns;
       for (unsigned int degree = 1; degree <= most; ++degree)
@@ -163,7 +162,7 @@ namespace Crevasse
 
 
 
-    /** A mesh as deal.II creates it. */
+    /** Coarse mesh in the form from which deal.II creates a triangulation. */
     template <int dim>
     struct CoarseMesh
     {
@@ -182,7 +181,7 @@ namespace Crevasse
 
 
 
-    /** Elements with deal.II's order of vertices. */
+    /** Elements of a mesh file with deal.II's order of vertices. */
     template <int structdim>
     std::vector<CellData<structdim>>
     cell_data(const std::vector<MeshElement>            &elements,
@@ -234,7 +233,7 @@ namespace Crevasse
 
 
 
-    /** As GridIn does with what it has read. */
+    /** Creates the triangulation from a coarse mesh like deal.II's GridIn. */
     template <int dim>
     void
     create(CoarseMesh<dim> mesh, Triangulation<dim> &triangulation)
@@ -252,8 +251,8 @@ namespace Crevasse
 
 
 
-    /** Into a triangulation of its own: a distributed one does not survive
-     * triangles. Collective; one rank reads a Gmsh file for all. */
+    /** Reads a mesh file into a serial triangulation: a distributed one does
+     * not survive triangles. Collective; one rank reads a Gmsh file for all. */
     template <int dim>
     void
     read_mesh(const std::string            &file_name,

@@ -19,15 +19,15 @@ namespace Crevasse
 {
   namespace
   {
-    /** The nodes in the middle of the edges of an element of second order. Of
-     * several at one place, as where lips with nodes of their own meet at a
-     * front, one stands for all: nothing but its place matters. */
+    /** Reads the middle nodes of the edges of an element of second order. If
+     * several nodes have the same position, as where lips with separate nodes
+     * meet at a front, one of them is stored: only its position matters. */
     void
     read_middles(const MeshElement              &element,
                  const std::vector<std::size_t> &all_nodes,
                  GmshMesh                       &mesh)
     {
-      // Two vertices for each edge, in Gmsh's order of the nodes in the middle.
+      // Vertices of each edge, in Gmsh's order of the middle nodes.
       const std::size_t n    = element.nodes.size();
       const std::string ends = n == 2   ? "01"
                                : n == 4 ? "01122330"
@@ -56,7 +56,7 @@ namespace Crevasse
 
 
 
-    /** Gmsh as long as it is needed: silent, and without the user's options. */
+    /** Initialises and finalises Gmsh: silent, without the user's options. */
     class GmshSession
     {
     public:
@@ -76,9 +76,10 @@ namespace Crevasse
 
 
 
-    /** Gmsh runs a file without this head as a program of its own language, and
-     * format 4 lets it write beyond its arrays if more nodes or elements follow
-     * than are announced. @throw SceneError */
+    /** Checks the head and the counts of a Gmsh file. Gmsh runs a file without
+     * this head as a program of its language, and in format 4 overruns its
+     * arrays if a file has more nodes or elements than it announces.
+     * @throw SceneError */
     void
     check_head_and_counts(const std::string &file_name)
     {
@@ -106,8 +107,7 @@ namespace Crevasse
               std::size_t n = 0;
               file >> skipped >> skipped >> skipped >> n;
               n_found += n;
-              // In format 4.1 numbers and coordinates are on lines of their
-              // own.
+              // In format 4.1 numbers and coordinates have separate lines.
               const std::size_t n_lines = is_nodes && format > 4. ? 2 * n : n;
               for (std::size_t i = 0; i <= n_lines && file; ++i)
                 std::getline(file, line);
@@ -121,7 +121,7 @@ namespace Crevasse
 
 
 
-    /** For messages. */
+    /** Name of an entity of Gmsh in messages. */
     std::string
     name_of(const std::pair<int, int> &entity)
     {
@@ -133,7 +133,7 @@ namespace Crevasse
 
 
 
-    /** The one physical group of an entity; 0 if it is in none. */
+    /** Physical group of an entity; 0 if it is in none. */
     unsigned int
     group_of(const std::pair<int, int> &entity)
     {
@@ -156,8 +156,8 @@ namespace Crevasse
 
 
 
-    /** The number of vertices of the one type of elements of an entity.
-     * @throw SceneError if it is none for this dimension of space. */
+    /** Number of vertices of the element type of an entity.
+     * @throw SceneError if the type is not allowed in this dimension. */
     int
     require_allowed(const std::vector<int> &types,
                     const int               element_dim,
@@ -186,10 +186,10 @@ namespace Crevasse
 
 
 
-    /** All elements of a dimension, by their vertices.
-     * @param mesh has the nodes, and gets the middles of edges.
-     * @throw SceneError if there are others than lines, quadrilaterals or
-     * hexahedra of first or second order. */
+    /** Reads all elements of a dimension with their vertices.
+     * @param mesh Has the nodes, and gets the middles of edges.
+     * @throw SceneError if there are elements other than lines, quadrilaterals
+     * or hexahedra of first or second order. */
     std::vector<MeshElement>
     read_elements(const int element_dim, const unsigned int dim, GmshMesh &mesh)
     {
@@ -205,7 +205,7 @@ namespace Crevasse
           if (types.empty())
             continue;
           const int n_vertices = require_allowed(types, element_dim, dim);
-          // Of two orders Gmsh gives the elements of one, but counts all.
+          // Of two orders, Gmsh returns elements of one, but counts all.
           std::vector<std::size_t> all_numbers, no_nodes;
           gmsh::model::mesh::preallocateElementsByType(
             types[0], true, false, all_numbers, no_nodes, entity.second);
@@ -253,7 +253,7 @@ namespace Crevasse
                                   coordinates[3 * i + 1],
                                   coordinates[3 * i + 2]};
       if (dim == 2)
-        read_elements(3, dim, mesh); // none is allowed
+        read_elements(3, dim, mesh); // reports volume elements
       mesh.cells    = read_elements(dim, dim, mesh);
       mesh.boundary = read_elements(dim - 1, dim, mesh);
       return mesh;
@@ -261,9 +261,9 @@ namespace Crevasse
 
 
 
-    /** Some damaged files crash Gmsh (2 of 100 with random changes): a child of
-     * this process reads the file first, silently.
-     * @throw SceneError if the child does not survive. */
+    /** Checks that Gmsh does not crash on a damaged file, as on 2 of 100 with
+     * random changes: a child process reads the file first, silently.
+     * @throw SceneError if the child crashes. */
     void
     require_that_gmsh_survives(const std::string &file_name,
                                const unsigned int dim)
@@ -278,7 +278,7 @@ namespace Crevasse
             {
               read(file_name, dim);
             }
-          catch (...) // comes again in the parent
+          catch (...) // the parent reports it
             {
             }
           _exit(0);
@@ -318,7 +318,7 @@ namespace Crevasse
       {
         mesh = read(file_name, dim);
       }
-    catch (const std::string &message) // is what Gmsh throws
+    catch (const std::string &message) // Gmsh throws strings
       {
         throw SceneError("Gmsh says: " + message);
       }

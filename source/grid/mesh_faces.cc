@@ -15,8 +15,8 @@ namespace Crevasse
   {
     struct Face
     {
-      std::array<std::size_t, 4> nodes;    ///< sorted; of lines the last two
-      std::size_t                opposite; ///< the one across from the smallest
+      std::array<std::size_t, 4> nodes;    ///< sorted; a line uses the last two
+      std::size_t                opposite; ///< node opposite to the smallest
       std::size_t                element;
       unsigned int               group;
     };
@@ -24,7 +24,7 @@ namespace Crevasse
     Face
     make_face(const std::vector<std::size_t> &nodes, const MeshElement &element)
     {
-      // Gmsh counts from 1.
+      // Gmsh numbers nodes from 1: 0 means no node.
       Face face{{{0, 0, 0, 0}}, 0, element.number, element.group};
       std::copy(nodes.rbegin(), nodes.rend(), face.nodes.rbegin());
       if (nodes.size() == 4)
@@ -113,7 +113,7 @@ namespace Crevasse
   nodes_of_faces(const MeshElement &cell)
   {
     using Faces = std::vector<std::vector<std::size_t>>;
-    // In Gmsh's order of the nodes of a cell.
+    // Nodes of each face, in Gmsh's order of the nodes of a cell.
     static const Faces of_quadrilateral = {{0, 1}, {1, 2}, {2, 3}, {3, 0}};
     static const Faces of_hexahedron    = {{0, 1, 2, 3},
                                            {4, 5, 6, 7},

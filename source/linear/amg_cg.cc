@@ -25,10 +25,10 @@ namespace Crevasse
     std::unique_ptr<Epetra_MultiVector> no_modes;
     settings.set_parameters(parameters, no_modes, matrix);
 
-    // deal.II passes on piecewise constant modes only; rotations are not.
+    // deal.II supports piecewise constant modes only, which rotations are not.
     const std::size_t   n = matrix.local_size();
     std::vector<double> modes;
-    // At least one, so that a rank without unknowns has a pointer to give too.
+    // Reserve at least one entry: a rank without unknowns needs a pointer, too.
     modes.reserve(std::max<std::size_t>(1, n * near_null_space.size()));
     for (const Vector &mode : near_null_space)
       modes.insert(modes.end(), mode.begin(), mode.end());

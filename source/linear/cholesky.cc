@@ -22,7 +22,7 @@ namespace Crevasse
     {
       cholmod_start(&common);
       common.print = 0; // errors become exceptions
-      // What SupernodalFactor reads.
+      // SupernodalFactor needs this format.
       common.supernodal = CHOLMOD_SUPERNODAL;
     }
 
@@ -49,18 +49,18 @@ namespace Crevasse
     void
     analyse(cholmod_sparse &A, const std::vector<int> &lip);
 
-    /** Analyses with this order, and keeps it if it is the first or leaves less
-     * fill. */
+    /** Analyses @p A with this order, and keeps the analysis if it is the first
+     * or has less fill. */
     void
     try_order(cholmod_sparse         &A,
               const std::vector<int> &candidate,
               const int               n_lip);
 
-    /** Factorises. */
+    /** Factorises @p A with an analysis. */
     void
     factorise(cholmod_sparse &A, const Factor &analysis);
 
-    /** Which unknown is where in the factor. */
+    /** Unknown at each position in the factor. */
     const int *
     order() const
     {
@@ -69,10 +69,10 @@ namespace Crevasse
 
     cholmod_common  common;
     cholmod_factor *L         = nullptr;
-    double          n_entries = 0., n_operations = 0.; ///< of an analysis
+    double          n_entries = 0., n_operations = 0.; ///< size of an analysis
 
     std::optional<SupernodalFactor> substitution;
-    std::vector<int>                lip_places; ///< in the factor
+    std::vector<int>                lip_places; ///< positions of the lip
     LipVector                       on_lip;
     std::vector<double>             work; ///< in the factor's order
   };
@@ -88,8 +88,8 @@ namespace Crevasse
     common.nmethods           = 1;
     common.method[0].ordering = CHOLMOD_GIVEN;
     cholmod_factor *analysed  = nullptr;
-    // Sorted by the tree of the factor, supernodes are larger; the lip of one
-    // of several parts of a body need not be last then.
+    // Postordering enlarges supernodes; but with several parts of a body, the
+    // lip of one part need not remain last.
     for (const bool sorted : {true, false})
       {
         common.postorder = sorted ? 1 : 0;
@@ -119,15 +119,15 @@ namespace Crevasse
     std::vector<int> is_lip(n, 0), candidate(n);
     for (const int i : lip)
       is_lip[i] = 1;
-    // As CHOLMOD chooses: minimum degree is the quickest to find; nested
-    // dissection leaves a smaller factor on large matrices (measured:
-    // doc/contact_solvers.md), and where minimum degree leaves much to do.
+    // Choice of the ordering, as in CHOLMOD: minimum degree is the fastest to
+    // compute; nested dissection gives a smaller factor for large matrices
+    // (measured: doc/contact_solvers.md) that minimum degree fills too much.
     constexpr int    large    = 30000;
     constexpr double much     = 500.; // operations for an entry of the factor
     constexpr double few_fill = 5.;   // entries for one of the matrix
     if (n <= large)
       {
-        // CAMD wants some unknowns of the first kind.
+        // CAMD requires unknowns off the lip.
         if (lip.size() == A.nrow)
           candidate = lip;
         else
@@ -176,8 +176,8 @@ namespace Crevasse
   {
     require_one_process(matrix.get_mpi_communicator());
 
-    // Row i of the symmetric matrix is CHOLMOD's column i, of which it reads
-    // what is in the upper triangle.
+    // Row i of the symmetric matrix is CHOLMOD's column i; CHOLMOD reads its
+    // upper triangle.
     const MatrixRows rows(matrix);
     cholmod_sparse   A{};
     A.nrow = A.ncol = rows.n;
@@ -197,7 +197,7 @@ namespace Crevasse
       }
     factor->factorise(A, *pattern);
     condense();
-    // Forwards and backwards, without the block of the lip.
+    // Both substitutions read the factor, without the block of the lip.
     const double          of_lip = double(lip.size()) * lip.size();
     const cholmod_factor &L      = *factor->L;
     bytes_per_solve =

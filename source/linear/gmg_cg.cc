@@ -39,7 +39,7 @@ namespace Crevasse
     for (Vector *vector : {&coarsest_defect, &coarsest_solution})
       of.space(0).cell_loops()->initialize(*vector);
 
-    // Single precision ends at 1e±38: numbers near 1 do not depend on units.
+    // Single precision ends at 1e±38: scaled units keep numbers near 1.
     double largest = 0.;
     for (const VoigtMatrix<dim> &K : stiffness.distinct())
       largest = std::max(largest, K[0][0]);
@@ -68,13 +68,13 @@ namespace Crevasse
     const std::vector<types::global_dof_index> &may_be_held)
   {
     const Space<dim> &space = levels->space(0);
-    // Of a coarsest mesh that is fine itself it is too large for dense
-    // matrices; held unknowns are cut off there.
+    // The lip of a fine coarsest mesh is too large for dense matrices; then the
+    // solver for all unknowns is used, and held unknowns are set to 0.
     constexpr std::size_t largest_lip = 2000;
     auto                  lip = coarsest_dofs(on_levels(may_be_held)[0]);
     if (lip.size() > largest_lip)
       lip.clear();
-    // Exact, but for meshes that are large before anything is refined.
+    // The coarsest solver is exact unless even the unrefined mesh is large.
     std::shared_ptr<const Cholesky::Factor> no_analysis;
     coarsest_solver =
       make_matrix_solver(choose_matrix_solver(dim,
@@ -114,9 +114,9 @@ namespace Crevasse
   void
   GmgCg<dim>::set_up_smoother(Level &level)
   {
-    // Degree, range of eigenvalues and the iterations that estimate them. With
-    // degree 4 there are a quarter fewer iterations, but each costs two thirds
-    // more (doc/scaling.md).
+    // Smoother: degree, range of eigenvalues, iterations to estimate them.
+    // Degree 4 needs a quarter fewer iterations, but each costs two thirds more
+    // (doc/scaling.md).
     typename decltype(level.smoother)::AdditionalData settings(2, 10., 12);
     settings.preconditioner = std::make_shared<DiagonalMatrix<LevelVector>>();
     LevelVector &inverse    = settings.preconditioner->get_vector();
@@ -124,7 +124,7 @@ namespace Crevasse
     for (LevelReal &entry : inverse)
       entry = 1 / entry;
     level.smoother.initialize(*level.A, settings);
-    // Now, not when the first vector comes.
+    // Estimate now, not when the smoother is first applied.
     level.smoother.estimate_eigenvalues(inverse);
   }
 
@@ -157,7 +157,7 @@ namespace Crevasse
                ExcMessage("This unknown was not to be held."));
         set[place - lip.begin()] = false;
       }
-    // Anew: what was held before would round it, and a resumed run has no past.
+    // Factorise from scratch: an update would round differently after a resume.
     not_held->choose(std::vector<bool>(lip.size(), false));
     not_held->choose(set);
   }
@@ -263,7 +263,7 @@ namespace Crevasse
   std::size_t
   GmgCg<dim>::memory_consumption() const
   {
-    // Of Chebyshev's iteration, with the inverse of the diagonal.
+    // Vectors of the Chebyshev iteration and the inverse diagonal.
     constexpr unsigned int n_smoother_vectors = 4;
     std::size_t            bytes = coarsest_matrix.memory_consumption() +
                         coarsest_solver->memory_consumption();

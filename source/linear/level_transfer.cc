@@ -15,8 +15,8 @@ namespace Crevasse
 
 
 
-    /** Calls f(unknown, dof) for the openings that are no degrees of freedom,
-     * with one of their nodes. */
+    /** Calls f(unknown, dof) for openings that are not degrees of freedom, with
+     * a dof of one of their nodes. */
     template <int dim, typename Function>
     void
     for_each_opening(const Space<dim> &space, const Function &f)
@@ -129,7 +129,7 @@ namespace Crevasse
   void
   LevelTransfer<dim>::distribute_nodes(const CoarserMesh<dim> &mesh)
   {
-    std::vector<std::size_t> n_children; // of the cells of the loops
+    std::vector<std::size_t> n_children; // for each cell of the loops
     Cells                    all;
     loops->for_each_cell([&](const auto &cell, const unsigned int) {
       const Cells &children = mesh.children[cell->active_cell_index()];
@@ -166,7 +166,7 @@ namespace Crevasse
                 continue;
               is_done[index] = true;
               first_indices.push_back(index);
-              // After the rows of the children there are those of the cell.
+              // The rows of the cell itself follow the rows of its children.
               row_of_node.push_back(
                 (n == 1 ? GeometryInfo<dim>::max_children_per_cell : child) *
                   n_nodes +
@@ -300,7 +300,7 @@ namespace Crevasse
     for (const unsigned int unknown : of_finer)
       work.local_element(unknown) = 1.;
     work.update_ghost_values();
-    // Openings that are no degrees of freedom are where their nodes are.
+    // Openings that are not degrees of freedom are located at their nodes.
     for_each_opening(finer, [this](const auto unknown, const auto dof) {
       if (finer.locally_owned_unknowns.is_element(dof))
         work(dof) = work(unknown);
@@ -314,7 +314,7 @@ namespace Crevasse
         {
           const unsigned int row = row_of_node[k];
           if (rows.starts[row + 1] != rows.starts[row] + 1)
-            continue; // between nodes of the coarser mesh
+            continue; // not at a node of the coarser mesh
           const unsigned int first =
             loops->first_indices(cell)[rows.entries[rows.starts[row]].first];
           for (unsigned int c = 0; c < dim; ++c)

@@ -33,7 +33,7 @@ namespace Crevasse
   std::vector<MatrixOperator::Indices>
   MatrixOperator::couplings(const Indices &rows, const Indices &columns) const
   {
-    // An iterator of deal.II has room for as many entries as there are columns.
+    // deal.II's iterators allocate as many entries as there are columns.
     const Epetra_CrsMatrix &A = sparse_matrix.trilinos_matrix();
     std::vector<Indices>    coupled(rows.size());
     for (std::size_t k = 0; k < rows.size(); ++k)
@@ -63,7 +63,7 @@ namespace Crevasse
               n_columns            = v.locally_owned_size();
     AssertDimension(n_rows, A.RangeMap().NumMyElements());
     AssertDimension(n_columns, A.DomainMap().NumMyElements());
-    // Both are looked at where they are; Epetra does not know constant entries.
+    // Views of both vectors without a copy; Epetra has no constant views.
     const Epetra_MultiVector seen_v(
       View, A.DomainMap(), const_cast<double *>(v.begin()), n_columns, 1);
     Epetra_MultiVector seen_result(

@@ -11,7 +11,7 @@ namespace Crevasse
 
   namespace
   {
-    /** So few that a direct solver needs less time than a smoother. */
+    /** For so few unknowns a direct solver is faster than a smoother. */
     constexpr std::size_t enough_unknowns = 1500;
   } // namespace
 
@@ -31,7 +31,7 @@ namespace Crevasse
       if (auto on_coarser = space.on_coarser(coarser.mesh))
         spaces.push_back(std::move(on_coarser));
       else
-        break; // No matrix without a kernel is coarser.
+        break; // A coarser matrix would be singular.
     meshes.resize(spaces.size());
     std::reverse(meshes.begin(), meshes.end());
     std::reverse(spaces.begin(), spaces.end());

@@ -20,13 +20,13 @@ namespace Crevasse
     factor.factorise(triangle);
     schur_complement.swap(factor.schur_complement); // no copy
     lip_factor = schur_complement;
-    // INFO(9) numbers, in millions if it is negative, INFO(10) indices.
+    // Factor: INFO(9) numbers, if negative in millions; INFO(10) indices.
     const double n  = factor.data.info[8];
     bytes_per_solve = 2. * (std::max(n, -1e6 * n) * sizeof(double) +
                             factor.data.info[9] * sizeof(int));
     lip_factor.set_property(dealii::LAPACKSupport::symmetric);
     collectively(factor.communicator, [&]() {
-      // Without pivoting each pivot has its sign by Sylvester's law.
+      // Without pivoting, the matrix is positive definite if no pivot is < 0.
       bool is_positive = factor.data.infog[11] == 0;
       try
         {

@@ -20,12 +20,12 @@ namespace Crevasse
 
     constexpr int free_everything = -2; // job
 
-    /** In the order in which they went, which is the same on all ranks. */
+    /** Abandoned factors, in the same order on all ranks. */
     std::vector<std::function<void()>> abandoned;
 
 
 
-    /** Workspace, or buffers of messages between ranks. */
+    /** Whether MUMPS' status asks for more workspace or message buffers. */
     bool
     needs_larger_buffers(const int status)
     {
@@ -98,12 +98,12 @@ namespace Crevasse
     data.n = dealii::Utilities::MPI::sum(n_local, communicator);
     for (const int output : {1, 2, 3, 4})
       icntl(output) = 0;
-    icntl(6)     = 0;  // no permutation for the sake of pivots,
+    icntl(6)     = 0;  // no permutation for pivots,
     icntl(8)     = 0;  // no scaling
     data.cntl[0] = 0.; // and no pivoting
     icntl(7)     = 5;  // METIS
-    icntl(18)    = 3;  // each rank gives its own entries
-    icntl(28)    = 1;  // ordered on rank 0
+    icntl(18)    = 3;  // distributed entries
+    icntl(28)    = 1;  // ordering on rank 0
   }
 
 
@@ -143,7 +143,7 @@ namespace Crevasse
     data.a_loc   = for_mumps(triangle.values);
     if (!last.empty())
       {
-        // MUMPS leaves P, and writes its Schur complement here.
+        // MUMPS does not eliminate P, and writes its Schur complement here.
         schur_complement.reinit(last.size());
         icntl(19)          = 1; // on rank 0
         data.size_schur    = last.size();
@@ -153,7 +153,7 @@ namespace Crevasse
       }
     call(data, 1);
     require("the analysis");
-    // MUMPS predicts the memory; where it falls short, it wants more.
+    // MUMPS predicts the memory; if that is too small, increase it.
     constexpr int largest_relaxation = 400; // per cent
     call(data, 2);
     while (needs_larger_buffers(data.infog[0]) &&
@@ -163,16 +163,16 @@ namespace Crevasse
         call(data, 2);
       }
     require("the factorisation");
-    // INFO(16): what the factorisation was given on this rank, in 10⁶ bytes,
-    // rounded down.
+    // INFO(16): memory of the factorisation on this rank, in 10⁶ bytes, rounded
+    // down.
     bytes = std::size_t(1000000) * (data.info[15] + 1);
-    // What is no longer there is not looked for either.
+    // Clear pointers to arrays that MUMPS must not read any more.
     data.irn_loc = data.jcn_loc = nullptr;
     data.a_loc                  = nullptr;
     data.schur                  = nullptr;
     if (last.empty())
       return;
-    // MUMPS writes one triangle of a symmetric matrix, on the first rank.
+    // MUMPS writes one triangle of the Schur complement, on the first rank.
     const std::size_t n = last.size();
     for (std::size_t i = 0; i < n; ++i)
       for (std::size_t j = 0; j < i; ++j)
@@ -202,7 +202,7 @@ namespace Crevasse
     dealii::Vector<Number> on_last(last.size());
     data.lredrhs = on_last.size();
     data.redrhs  = reinterpret_cast<decltype(data.redrhs)>(on_last.begin());
-    icntl(26)    = 1; // as far as P
+    icntl(26)    = 1; // forward to P
     call(data, 3);
     require("a condensation");
     dealii::Utilities::MPI::broadcast(on_last.begin(),
@@ -210,7 +210,7 @@ namespace Crevasse
                                       0,
                                       communicator);
     collectively(communicator, [&]() { problem(on_last); });
-    icntl(26) = 2; // and back
+    icntl(26) = 2; // and backward
     call(data, 3);
     require("a back-solve");
   }

@@ -13,10 +13,10 @@ namespace Crevasse
 
   namespace
   {
-    /** Sets @p stress to zero but in up to 100 cells of this rank.
+    /** Sets @p stress to zero except in up to 100 cells of this rank.
      *
-     * @return ∫ stress : D v there, with D of the assembly: A and
-     * StrainOperator have geometry and constraints in common. */
+     * @return ∫ stress : D v in these cells, with D of the assembly: A and
+     * StrainOperator share geometry and constraints. */
     template <int dim>
     double
     work_in_some_cells(const Space<dim>           &space,
@@ -106,7 +106,7 @@ namespace Crevasse
     force.add(-1., product);
     require_small(force.l2_norm(), product.l2_norm(), 1e-10);
 
-    // Rounding of vertices may take six digits from the sizes of small cells.
+    // Rounding of vertices may cost six digits of the sizes of small cells.
     const double work = work_in_some_cells(space, points, v, stress);
     force             = 0.;
     D.add_transpose(force, stress_at);

@@ -39,7 +39,7 @@ namespace Crevasse
   {
     const std::size_t         n           = matrix.m();
     std::vector<unsigned int> other_order = order;
-    std::vector<double>       triangle; // what of R is not zero, by columns
+    std::vector<double>       triangle; // upper triangle of R, by columns
     for (std::size_t k = 0; k < order.size(); ++k)
       triangle.insert(triangle.end(), &values[n * k], &values[n * k + k] + 1);
     archive.common_list(other_order);

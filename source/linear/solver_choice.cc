@@ -44,7 +44,7 @@ namespace Crevasse
     if (type == LinearSolverType::amg)
       return std::make_unique<AmgCg>(matrix,
                                      rigid_modes(space),
-                                     // Those of lips are not sorted by nodes.
+                                     // Unknowns of lips are not sorted by node.
                                      space.lip.n_unknowns == 0 ? dim : 1,
                                      space.finite_element.degree > 1);
     if (type == LinearSolverType::mumps)

@@ -47,7 +47,7 @@ namespace Crevasse
   StiffnessOperator<dim>::couplings(const Indices &rows,
                                     const Indices &columns) const
   {
-    // Of columns, among which the rows are.
+    // Couplings of all columns, which include the rows.
     std::map<types::global_dof_index, std::set<types::global_dof_index>> all;
     Indices of_cell, found;
     for (const auto &cell : space.dof_handler.active_cell_iterators())

@@ -27,7 +27,7 @@ namespace Crevasse
     for (const VoigtMatrix<dim> &K : stiffness.distinct())
       is_isotropic =
         is_isotropic && IsotropicModuli<dim>::represents(K, with_out_of_plane);
-    // On all ranks, or on none.
+    // All ranks use isotropic moduli, or none.
     moduli.is_isotropic =
       Utilities::MPI::min(is_isotropic ? 1 : 0, space.communicator()) == 1;
     if (moduli.is_isotropic)
@@ -140,7 +140,7 @@ namespace Crevasse
     const unsigned int n_nodes = loops->n_nodes_per_cell();
     const unsigned int n_dofs  = n_nodes * dim;
 
-    // Cells without neighbours: products with the unit vectors of each.
+    // Diagonals of separate cells: products with their unit vectors.
     std::vector<unsigned int> own_indices(n_nodes * n_lanes);
     for (unsigned int node = 0; node < own_indices.size(); ++node)
       own_indices[node] = node * dim;

@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <cholmod.h>
 
-// A version for the processors that have AVX2 besides that for all: which one
-// runs is decided when the program is loaded.
+// Compiles functions for processors with AVX2 and for all others; the loader
+// selects one.
 #if defined(__x86_64__) && !defined(__clang__) && __GNUC__ >= 12
 #  define CREVASSE_FOR_EACH_PROCESSOR \
     __attribute__((target_clones("arch=x86-64-v3", "default")))

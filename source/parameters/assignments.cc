@@ -33,13 +33,13 @@ namespace Crevasse
       read(const std::string &file_name);
 
     private:
-      /** What belongs to one file, not to those that it includes. */
+      /** State of reading one file, without the files that it includes. */
       struct File
       {
         Origin origin;
-        /** Sections that the including files have opened. */
+        /** Number of open sections of the including files. */
         std::size_t depth;
-        /** "Section/Name" and the origin where it was set first. */
+        /** First origin of each parameter "Section/Name" of the file. */
         std::map<std::string, std::string> first_places;
       };
 
@@ -57,9 +57,9 @@ namespace Crevasse
 
       std::vector<Assignment> &assignments;
       Problems                &problems;
-      /** Those that are open: name and origin. */
+      /** Open sections: name and origin. */
       std::vector<std::pair<std::string, Origin>> sections;
-      /** The files being read, each included by the one before. */
+      /** Open files, each included by the previous one. */
       std::vector<fs::path> files;
     };
 
@@ -196,7 +196,7 @@ namespace Crevasse
 
 
 
-    /** Numbers keep the digits that print them exactly. */
+    /** Text of a JSON value; numbers keep all their digits. */
     std::optional<std::string>
     to_text(const Json &value)
     {
@@ -218,8 +218,8 @@ namespace Crevasse
 
 
 
-    /** Parses a text and reports names that occur twice, which the object does
-     * not tell any more.
+    /** Parses JSON and reports duplicate names, which the resulting object no
+     * longer shows.
      * @throw Json::exception */
     Json
     parse_json(const std::string &text,
@@ -244,7 +244,7 @@ namespace Crevasse
 
 
 
-    /** Reads the parameters of one section, and the sections in it. */
+    /** Reads parameters and nested sections of a JSON object for a section. */
     void
     read_object(const Json              &object,
                 const std::string       &section,
@@ -254,15 +254,15 @@ namespace Crevasse
     {
       for (const auto &[name, value] : object.items())
         if (section.empty() && name == "$schema")
-          continue; // for editors
+          continue; // used by editors
         else if (value.is_object() &&
                  (!value.contains("value") || value.at("value").is_object()))
           {
             const std::string path =
               section.empty() ? name : section + "/" + name;
             assignments.push_back({origin, path, "", ""});
-            // Sections do not nest: one below another is reported as unknown,
-            // and what it contains does not matter.
+            // Sections do not nest: a nested section is reported as unknown,
+            // and its contents do not matter.
             if (section.empty())
               read_object(value, path, origin, assignments, problems);
           }
@@ -295,7 +295,7 @@ namespace Crevasse
         }
       catch (const Json::exception &error)
         {
-          // The library's number of the error comes first, in brackets.
+          // The message begins with the library's error number in brackets.
           const std::string message = error.what();
           problems.add("is not valid JSON: " +
                          message.substr(message.find(' ') + 1),
@@ -343,7 +343,7 @@ namespace Crevasse
       read_json(file_name, assignments, problems);
     else
       {
-        read_text_file(file_name); // to be there is what matters more
+        read_text_file(file_name); // a missing file is the more important error
         problems.add("the name of a scene file must end in .prm or .json",
                      {file_name});
       }

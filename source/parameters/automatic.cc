@@ -11,8 +11,8 @@ namespace Crevasse
 {
   namespace
   {
-    /** Why two singular functions are not taken unasked, though they are
-     * allowed; or nothing. */
+    /** Why "automatic" does not use two singular functions, though they are
+     * allowed; empty if it does. */
     std::string
     reason_against_singular_functions(const Scene &scene)
     {

@@ -87,8 +87,8 @@ namespace Crevasse
     if (parameters.shape == Shape::mesh_file || !roles.clamped.empty())
       return {};
 
-    // A plane of symmetry holds the translation along its normal, and every
-    // rotation but that about its normal.
+    // A plane of symmetry suppresses the translation along its normal, and
+    // every rotation except that about its normal.
     const bool slides_along = roles.symmetry.count(BoundaryIds::left) == 0 &&
                               roles.symmetry.count(BoundaryIds::right) == 0;
     const bool slides_across = dim == 3 &&
@@ -97,7 +97,7 @@ namespace Crevasse
     if (!slides_along && !slides_across)
       return {};
 
-    // The paper holds the tip.
+    // As in the paper, the crack tip is fixed.
     const double x =
       traits(parameters.shape).has_crack ? tip_abscissa(parameters) : 0.;
     FixedPoint<dim> first = free_point<dim>(x, 0.);
@@ -107,7 +107,7 @@ namespace Crevasse
     if (!slides_along || !slides_across)
       return {first};
 
-    // It could still turn in the crack plane.
+    // The body could still rotate in the crack plane.
     FixedPoint<dim> second = free_point<dim>(x, parameters.thickness);
     second.components[0]   = true;
     return {first, second};

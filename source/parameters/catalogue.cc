@@ -44,8 +44,8 @@ namespace Crevasse
 
 
 
-    /** What is allowed follows in the documentation where the pattern does not
-     * tell it. */
+    /** Moves the allowed values from the documentation of a parameter to
+     * "allowed" where its pattern does not describe them. */
     Catalogue
     describe(Catalogue entry)
     {

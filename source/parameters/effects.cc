@@ -58,7 +58,7 @@ namespace Crevasse
 
 
 
-    /** Why K is not computed unasked, or nothing. */
+    /** Why K is not computed automatically; empty if it is. */
     std::string
     reason_against_intensity(const Scene &scene, const BoundaryRoles &roles)
     {

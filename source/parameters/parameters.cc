@@ -7,8 +7,8 @@ namespace Crevasse
 {
   using namespace dealii;
 
-  // What is allowed is what the pattern tells, or what follows "Allowed:" where
-  // it does not tell enough.
+  // The pattern describes the allowed values, or the documentation after
+  // "Allowed:" where the pattern does not suffice.
   namespace
   {
     const NumberPattern size(Ranges::positive);
@@ -149,7 +149,7 @@ namespace Crevasse
   void
   MaterialParameters::add_parameters(ParameterHandler &prm)
   {
-    // The same of all coefficients.
+    // Descriptions of allowed values that several coefficients share.
     const std::string formula =
       " or a formula of x, y, z, t, theta, material with such values";
     const std::string positive = " Allowed: a number greater than 0" + formula;

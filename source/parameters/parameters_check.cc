@@ -11,14 +11,14 @@ namespace Crevasse
 {
   namespace
   {
-    /** A file that is there and not empty. */
+    /** Adds a problem unless a file exists, is readable and is not empty. */
     void
     demand_file(const char        *section,
                 const char        *name,
                 const std::string &file_name,
                 Problems          &problems)
     {
-      std::error_code no_size; // as of pipes
+      std::error_code no_size; // pipes have no size
       if (const std::string why = why_unreadable(file_name); !why.empty())
         {
           problems.add(section, name, file_name, why);
@@ -39,7 +39,7 @@ namespace Crevasse
       checker.demand(length < width,
                      "Crack length",
                      "must be shorter than the plate: " + of_width);
-      // Beyond this the cells at the tip vanish in rounding.
+      // For shorter lengths, the cells at the tip vanish in rounding.
       const double shortest = 1e-8 * width;
       checker.demand(length >= width ||
                        (length >= shortest && width - length >= shortest),
@@ -217,7 +217,7 @@ namespace Crevasse
     checker.demand(step_control != StepControlType::list || !steps.empty(),
                    "Steps",
                    "must be given, for the step control is \"list\"");
-    // Of two instants that rounding takes apart a step would be noise.
+    // A step between instants that differ by rounding only would be noise.
     const double shortest = steps.empty() ? 0. : 1e-12 * steps.back();
     for (std::size_t i = 0; i < steps.size(); ++i)
       if (const double before = i == 0 ? 0. : steps[i - 1];

@@ -17,8 +17,8 @@ namespace Crevasse
 
 
 
-    /** The physical groups of one dimension that have a name. The section is
-     * text in binary files too, and stands before the nodes. */
+    /** Names and ids of the physical groups of one dimension. Their section is
+     * text in binary files, too, and precedes the nodes. */
     Names
     read_names(const std::string &file_name, const unsigned int dim)
     {
@@ -42,7 +42,7 @@ namespace Crevasse
 
 
 
-    /** If not, that is reported, and nothing of the names. */
+    /** Whether a file is readable; if not, only that is reported. */
     bool
     is_readable(const std::string &file_name)
     {
@@ -164,7 +164,7 @@ namespace Crevasse
               Text::squeeze(text.substr(begin + 1, end - begin - 1));
             const std::string before = text.substr(0, begin),
                               after  = text.substr(end + 1);
-            std::string id           = "0"; // for the rest of the formula
+            std::string id           = "0"; // to parse the rest
             if (!is_compared(before, after))
               problems.add(section,
                            parameter,

@@ -11,7 +11,7 @@ namespace Crevasse
 {
   namespace
   {
-    /** Blames Subdivisions only where they are too many by themselves. */
+    /** Checks the number of cells; blames only excessive Subdivisions. */
     void
     check_subdivisions(const Scene &scene, Problems &problems)
     {
@@ -55,14 +55,14 @@ namespace Crevasse
 
 
 
-    /** What belongs to the dimension. */
+    /** Checks shape, loads and crack tip against the dimension. */
     void
     check_body(const Scene &scene, Problems &problems)
     {
       const Checker geometry(GeometryParameters::section, problems);
       const bool    is_plane  = scene.dimension == 2;
       const auto    dimension = std::to_string(scene.dimension);
-      // The bodies without a crack have different names.
+      // Shapes without a crack have different names in plane and space.
       geometry.demand(scene.geometry.shape !=
                         (is_plane ? Shape::box : Shape::rectangle),
                       "Shape",
@@ -132,9 +132,9 @@ namespace Crevasse
 
 
 
-    /** In plane stress the thickness makes room for any change of area; the
-     * singular functions are those of a plane crack, and B-bar knows only shape
-     * functions. */
+    /** Checks the elements: plane stress needs no mean volumetric strain, the
+     * singular functions are those of a plane crack, and B-bar supports only
+     * shape functions. */
     void
     check_elements(const Scene &scene, Problems &problems)
     {
@@ -157,7 +157,7 @@ namespace Crevasse
 
 
 
-    /** What is a matter of the method of solution. */
+    /** Checks the parameters of the methods of solution. */
     void
     check_methods(const Scene &scene, Problems &problems)
     {
@@ -201,7 +201,7 @@ namespace Crevasse
 
 
 
-    /** Matrices and tensors, whose size is that of the dimension. */
+    /** Checks the sizes of matrices and tensors against the dimension. */
     void
     check_tensors(const Scene &scene, Problems &problems)
     {
@@ -227,7 +227,7 @@ namespace Crevasse
 
 
 
-    /** The lists of points, whose number of coordinates is the dimension. */
+    /** Checks the number of coordinates in lists of points. */
     template <int dim>
     void
     check_points(const Scene &scene, Problems &problems)
@@ -246,8 +246,8 @@ namespace Crevasse
 
 
 
-    /** The mesh can change only where nothing but the viscous strain goes on
-     * from one period to the next. */
+    /** Checks Readapt every: the mesh can change only if nothing but the
+     * viscous strain is carried from one period to the next. */
     void
     check_readaptation(const Scene &scene, Problems &problems)
     {

@@ -62,8 +62,8 @@ namespace Crevasse
 
 
 
-    /** Why a value cannot be written into a scene file and read again, or
-     * nothing. */
+    /** Why a value cannot be written to a scene file and read again; empty if
+     * it can. */
     std::string
     describe_unwritable(const std::string &value)
     {
@@ -133,8 +133,8 @@ namespace Crevasse
 
 
 
-    /** Sets each parameter in turn. What is unknown or has a value that is not
-     * allowed is left as it was and reported. */
+    /** Sets the assigned parameters. Reports unknown parameters and values that
+     * are not allowed, and leaves their entries unchanged. */
     void
     apply(const std::vector<Assignment> &assignments,
           const Catalogue               &catalogue,
@@ -162,8 +162,8 @@ namespace Crevasse
 
 
 
-    /** A file that lies next to the scene is found from any directory, and
-     * also from where used.prm will lie. */
+    /** Replaces the name of a file next to the scene by its full path, so that
+     * it is found from any directory, and from used.prm. */
     void
     resolve_file(const std::string &scene_file_name,
                  const char        *section,
@@ -181,7 +181,7 @@ namespace Crevasse
 
 
 
-    /** A bar would end the cell of a table. */
+    /** Escapes "|", which would end a cell of a Markdown table. */
     std::string
     in_cell(const std::string &text)
     {

@@ -9,9 +9,8 @@ namespace Crevasse
 {
   namespace
   {
-    /** Ways to write a value in JSON, as a pattern of deal.II's or of
-     * NumberPattern describes it. Whatever may be a number may also be the
-     * text that deal.II prints. */
+    /** JSON types of a value that a pattern of deal.II or NumberPattern
+     * describes. A number may also be the text that deal.II prints. */
     Catalogue
     ways_to_write(const std::string &pattern)
     {
@@ -54,8 +53,8 @@ namespace Crevasse
 
 
 
-    /** An editor inserts the default with the name: as a number, or true or
-     * false, where it may be one. */
+    /** Default value that an editor inserts with the name: as a number or a
+     * Boolean where it may be one. */
     Catalogue
     default_value(const Catalogue &ways, const std::string &text)
     {
@@ -101,7 +100,7 @@ namespace Crevasse
     Catalogue schema  = make_object();
     schema["$schema"] = "http://json-schema.org/draft-07/schema#";
     schema["title"]   = "Scene of Crevasse " CREVASSE_VERSION;
-    // With which a scene itself names its schema.
+    // A scene may name its schema by "$schema".
     schema["properties"]["$schema"] = {{"type", "string"}};
     for (const auto &[section, parameters] : catalogue.items())
       {

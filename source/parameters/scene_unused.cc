@@ -9,8 +9,8 @@ namespace Crevasse
 {
   namespace
   {
-    /** Parameters of a section, "Section/Name, other name", when they are not
-     * used, and why. */
+    /** Rule for parameters of a section, "Section/Name, other name": whether
+     * they are unused, and why. */
     struct Rule
     {
       std::string parameters;

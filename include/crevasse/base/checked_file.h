@@ -15,28 +15,28 @@ namespace Crevasse
   /** Size in bytes and checksum (CRC-32) of a file. */
   using FileCheck = std::pair<std::size_t, std::uint32_t>;
 
-  /** Of as much as can be read, and at most of the first @p bytes.
-   * @throw FileError if it cannot be opened. */
+  /** Size and checksum of a file, at most of its first @p bytes.
+   * @throw FileError if the file cannot be opened. */
   FileCheck
   check_file(const std::string &name,
              const std::size_t bytes = std::numeric_limits<std::size_t>::max());
 
-  /** The checksum of some text. */
+  /** CRC-32 checksum of a text. */
   std::uint32_t
   checksum(const std::string &text);
 
-  /** Writes a file and makes sure that it is on the disk. @throw FileError */
+  /** Writes a file and flushes it to the disk. @throw FileError */
   void
   write_file(const std::string &name, const std::string &content);
 
-  /** Makes sure that names of files made or moved there, or what was written to
-   * a file, survive a loss of power, where the file system is able to.
+  /** Flushes a file, or a directory with names of new files, to the disk, to
+   * survive a loss of power where the file system allows.
    * @throw FileError */
   void
   write_through(const std::string &name);
 
-  /** Makes sure that the disk has room for a file of so many bytes, where the
-   * file system can tell. The file is not left there.
+  /** Checks that the disk has room for a file of @p bytes, where the file
+   * system can tell. The file is not left there.
    * @throw FileError */
   void
   require_disk_space(const std::string &name, const std::size_t bytes);

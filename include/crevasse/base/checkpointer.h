@@ -11,31 +11,31 @@
 namespace Crevasse
 {
   /**
-   * The moments between two steps: there a run may be saved, left, or resumed
-   * where another one was left. What the state of the run consists of makes
-   * itself known as a SerializationScope.
+   * Saves, stops or resumes a run between two time steps. Parts of the state of
+   * the run register with a SerializationScope.
    */
   class Checkpointer
   {
   public:
     virtual ~Checkpointer() = default;
 
-    /** Between two steps; all parts may be other ones afterwards. Collective.
+    /** Called between two time steps. When a run resumes, the parts of the
+     * state are replaced. Collective.
      *
-     * @param period 1 for the first.
-     * @param step that comes next, 0 for the first. */
+     * @param period Current period, 1 for the first.
+     * @param step Next time step of the period, 0 for the first. */
     virtual void
     between_steps(const unsigned int period, const unsigned int step) = 0;
 
-    /** Where the first step of a period would begin if there were one more:
-     * all parts are as if there were. Collective.
+    /** Called at the end of the search for the periodic state, with the parts
+     * of the state as if the next period began. Collective.
      *
      * @param has_converged false: the search ran out of periods. */
     virtual void
     at_end_of_search(const unsigned int period, const bool has_converged) = 0;
 
   protected:
-    /** Shows all parts, in the order in which they became known. */
+    /** Serialises all parts of the state in the order of registration. */
     void
     serialize_parts(StateArchive &archive) const
     {
@@ -49,11 +49,11 @@ namespace Crevasse
     std::vector<std::function<void(StateArchive &)>> parts;
   };
 
-  /** Belongs to the state of the run as long as it lives. */
+  /** Registers a part of the state of the run during its life. */
   class SerializationScope
   {
   public:
-    /** @param checkpointer null: nobody asks. */
+    /** @param checkpointer May be null: nothing is registered. */
     SerializationScope(Checkpointer                              *checkpointer,
                        const std::function<void(StateArchive &)> &serialize)
       : checkpointer(checkpointer)
@@ -64,7 +64,7 @@ namespace Crevasse
 
     ~SerializationScope()
     {
-      // They go in the order opposite to that in which they came.
+      // Parts are unregistered in reverse order of registration.
       if (checkpointer != nullptr)
         checkpointer->parts.pop_back();
     }

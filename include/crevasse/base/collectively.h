@@ -11,11 +11,11 @@
 namespace Crevasse
 {
   /**
-   * Calls @p f on each rank. If it throws on some of them, all ranks throw what
-   * the lowest of these has thrown, with its type (SceneError, NumericalError,
-   * FileError or another std::exception): an error that one rank alone knew of
-   * would leave the others waiting at the next communication. Collective; @p f
-   * must not communicate.
+   * Calls @p f on each rank. If @p f throws on some ranks, all ranks throw the
+   * exception of the lowest of these ranks, with its type (SceneError,
+   * NumericalError, FileError or another std::exception): an exception on one
+   * rank alone would leave the others waiting at the next communication.
+   * Collective; @p f must not communicate.
    */
   void
   collectively(const MPI_Comm communicator, const std::function<void()> &f);

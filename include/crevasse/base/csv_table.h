@@ -10,20 +10,19 @@
 
 namespace Crevasse
 {
-  /** A table written row by row, so that what was computed survives whatever
-   * happens next. A number has the fewest digits that read back as the same
-   * one. */
+  /** A CSV file written row by row, so that finished rows survive a crash. A
+   * number has the fewest digits that read back as the same number. */
   class CsvTable
   {
   public:
     /** @param file_name empty on ranks that do not write.
-     * @param is_continuing Whether there are rows already, which stay.
+     * @param is_continuing Whether to append to the rows in the file.
      * @throw FileError if the file cannot be written. */
     CsvTable(const std::string              &file_name,
              const std::vector<std::string> &header,
              const bool                      is_continuing = false);
 
-    /** @throw FileError if the row cannot be written. */
+    /** Writes a row. @throw FileError if it cannot be written. */
     void
     add_row(const std::vector<double> &values);
 

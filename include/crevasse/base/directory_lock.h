@@ -8,14 +8,14 @@
 
 namespace Crevasse
 {
-  /** Keeps other runs out of an output directory as long as it exists, by a
-   * lock of the operating system on a file in it, which the end of the process
-   * gives back however it comes. File systems without locks let everybody in.
-   */
+  /** Keeps other runs out of an output directory during its life, by a lock of
+   * the operating system on a file in the directory. The system releases the
+   * lock when the process ends in any way. File systems without locks exclude
+   * nobody. */
   class DirectoryLock
   {
   public:
-    /** @throw FileError that names who writes there already. */
+    /** @throw FileError that names the run which writes to the directory. */
     explicit DirectoryLock(const std::string &directory);
     ~DirectoryLock();
 

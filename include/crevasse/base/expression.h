@@ -13,27 +13,27 @@
 
 namespace Crevasse
 {
-  /** Where and when a formula is evaluated. */
+  /** Point, time, temperature and material where a formula is evaluated. */
   template <int dim>
   struct Place
   {
     dealii::Point<dim> point;
     double             t           = 0.;
-    double             temperature = 0.; ///< theta, a change of temperature
+    double             temperature = 0.; ///< theta, the change of temperature
     unsigned int       material    = 0;  ///< the material id of the cell
   };
 
   /**
-   * A formula as the user wrote it, evaluated by muParser. Its used variables
-   * say whether it depends on space or time, which decides what is recomputed
+   * A formula as the user wrote it, evaluated by muParser. The variables in it
+   * show whether it depends on space or time, which decides what is recomputed
    * at each instant. Copies share the parser, and so must not be evaluated in
    * several threads at once.
    */
   class Expression
   {
   public:
-    /** What a formula may depend on. Only the properties of the material know
-     * theta and material. */
+    /** Variables that a formula may use. Only material properties know theta
+     * and material. */
     struct Variables
     {
       static constexpr const char *time           = "t";
@@ -43,16 +43,16 @@ namespace Crevasse
         "x, y, z, t, theta, material";
     };
 
-    /** @param parameter that the formula was given for, "[Section] Name".
-     * @throw SceneError with muParser's own words if the formula does not
+    /** @param parameter Parameter with this formula, "[Section] Name".
+     * @throw SceneError with the message of muParser if the formula does not
      * parse or uses an unknown name. */
     explicit Expression(const std::string &formula,
                         const std::string &allowed = Variables::space_and_time,
                         const std::string &parameter = "");
 
-    /** @throw SceneError naming parameter, formula, point and instant when the
-     * value is not finite: whoever evaluates a formula during a run looks at
-     * all its points and instants before. */
+    /** Value of the formula.
+     * @throw SceneError naming parameter, formula, point and instant when the
+     * value is not finite. Check all points and instants before a run. */
     template <int dim>
     double
     value(const Place<dim> &place) const;
@@ -87,9 +87,8 @@ namespace Crevasse
     bool
     is_zero() const;
 
-    /** Whether the value can jump where the variable passes some value: whether
-     * a condition depends on it, or the argument of sign, rint, floor or ceil.
-     */
+    /** Whether the formula can jump where @p variable passes some value: a
+     * condition, sign, rint, floor or ceil depends on it. */
     bool
     can_jump_with(const std::string &variable) const;
 
@@ -99,15 +98,15 @@ namespace Crevasse
       return text;
     }
 
-    /** "[Section] Name", or nothing. */
+    /** Parameter with this formula, "[Section] Name", or empty. */
     const std::string &
     parameter() const
     {
       return name;
     }
 
-    /** Splits "a; b; c" at the separators that are not within brackets, and
-     * parses each part; nothing gives none. */
+    /** Splits "a; b; c" at separators outside brackets, and parses each
+     * formula; an empty text gives no formulas. */
     static std::vector<Expression>
     parse_list(const std::string &formulas,
                const char         separator,
@@ -118,7 +117,7 @@ namespace Crevasse
     struct Parser; // keeps muParser.h out of every includer
     std::shared_ptr<Parser> parser;
     std::string             text;
-    std::string             name; ///< of the parameter
+    std::string             name; ///< name of the parameter
     std::set<std::string>   variables;
   };
 } // namespace Crevasse

@@ -12,7 +12,7 @@ namespace Crevasse
 {
   namespace Text
   {
-    /** A text put together as by a stream: numbers have six digits. */
+    /** A message assembled by <<; numbers have six digits. */
     class Message
     {
     public:
@@ -33,7 +33,7 @@ namespace Crevasse
       std::ostringstream stream;
     };
 
-    /** As std::printf() has it. */
+    /** Text formatted like std::printf(), at most 999 characters. */
     template <typename... Arguments>
     std::string
     format(const char *pattern, const Arguments... arguments)

@@ -12,7 +12,7 @@
 
 namespace Crevasse
 {
-  /** The libraries that compute, with their versions. */
+  /** Names and versions of the numerical libraries. */
   inline std::map<std::string, std::string>
   library_versions()
   {

@@ -11,35 +11,35 @@
 
 namespace Crevasse
 {
-  /** What the run tells: lines on the first rank's standard output (none if
-   * quiet) and in log.txt, and on a terminal one line that is overwritten.
-   * A line that cannot be written is a FileError. */
+  /** Log of the run: lines on the first rank's standard output (none if quiet)
+   * and in log.txt, and a progress line that is overwritten on a terminal.
+   * Throws a FileError if a line cannot be written. */
   class Log
   {
   public:
-    /** @param is_verbose whether those who have more to tell should. */
+    /** @param is_verbose Whether callers should log details. */
     Log(const MPI_Comm communicator,
         const bool     quiet,
         const bool     is_verbose = false);
 
-    /** From now on lines go to this file as well; those before are added.
-     * @param is_continuing Whether what the file has already stays. */
+    /** Also writes lines to this file from now on, after all earlier lines.
+     * @param is_continuing Whether to append to the file. */
     void
     open_file(const std::string &file_name, const bool is_continuing = false);
 
     void
     line(const std::string &text);
 
-    /** On standard error, even if quiet, and in the file. */
+    /** Writes a warning to standard error, even if quiet, and to the file. */
     void
     warning(const std::string &text);
 
-    /** On standard error, even if quiet, and in the file if there is one.
-     * Throws nothing: this is the last word of a run. */
+    /** Writes an error to standard error, even if quiet, and to the file, if
+     * any. Never throws: this ends a run. */
     void
     error(const std::string &text);
 
-    /** Overwrites the progress line; nothing unless on a terminal. */
+    /** Overwrites the progress line on a terminal; otherwise does nothing. */
     void
     progress(const std::string &text);
 
@@ -61,7 +61,7 @@ namespace Crevasse
       progress_shown = false;
     }
 
-    /** In the file, also if it is opened later. */
+    /** Writes a line to the file, or saves it until the file is opened. */
     void
     keep(const std::string &text)
     {
@@ -78,7 +78,7 @@ namespace Crevasse
     const bool    quiet;
     const bool    terminal;
     bool          progress_shown = false;
-    bool          output_is_gone = false; ///< nobody reads it any more
+    bool          output_is_gone = false; ///< nobody reads the output any more
     std::string   earlier_lines;
     std::string   name;
     std::ofstream file;

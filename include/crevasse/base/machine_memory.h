@@ -11,26 +11,26 @@
 
 namespace Crevasse
 {
-  /** A sum over the ranks of one machine. Collective. */
+  /** Sum of a value over the ranks on this machine. Collective. */
   double
   sum_on_machine(const double value, const MPI_Comm communicator);
 
-  /** Bytes that the ranks of one machine have and can still get, as Linux says;
-   * infinite if it does not say. Collective. */
+  /** Memory in bytes that the ranks on this machine have and can still get, as
+   * Linux reports it; infinite if unknown. Collective. */
   double
   available_memory(const MPI_Comm communicator);
 
-  /** The largest resident memory of each rank so far, in bytes; on the first
-   * rank. Collective. */
+  /** Peak resident memory of each rank so far, in bytes; on the first rank
+   * only. Collective. */
   std::vector<double>
   peak_memory_of_ranks(const MPI_Comm communicator);
 
-  /** Bytes per second that this process gets by reading an array of this size,
-   * or of 256 MB if that is less, over and over. It takes 0.1 s. */
+  /** Memory bandwidth of this process in bytes per second, measured by reading
+   * an array of this size, at most 256 MB, for 0.1 s. */
   double
   read_bandwidth(const double bytes);
 
-  /** "1.23 GB" */
+  /** Number of bytes as text, "1.23 GB". */
   std::string
   gigabytes(const double bytes);
 } // namespace Crevasse

@@ -15,13 +15,13 @@
 
 namespace Crevasse
 {
-  /** The wall time of something that a run does, and how often it is done. */
+  /** Wall time and number of calls of one activity of a run. */
   struct Meter
   {
     double seconds = 0.;
-    double own     = 0.; ///< seconds without what other meters measure
+    double own     = 0.; ///< seconds without those of nested meters
     double calls   = 0.;
-    double bytes   = 0.; ///< that the calls have to read, where that counts
+    double bytes   = 0.; ///< bytes that the calls read, if memory limits them
 
     template <typename Archive>
     void
@@ -31,18 +31,18 @@ namespace Crevasse
     }
   };
 
-  /** By what is done. */
+  /** Meters of a run by the name of the activity. */
   using Meters = std::map<std::string, Meter, std::less<>>;
 
-  /** What the stopwatches of this process have measured. */
+  /** Meters filled by the stopwatches of this process. */
   inline Meters meters;
 
-  /** Adds the wall time of its life to a meter. Another one that begins
-   * meanwhile must end before; its time is not the own one of this meter. */
+  /** Adds the wall time of its life to a meter. A nested stopwatch must end
+   * first; its time is not added to the own time of this meter. */
   class Stopwatch
   {
   public:
-    /** @param calls and @p bytes do not count if it ends by an exception. */
+    /** @param calls and @p bytes are not added if an exception ends it. */
     explicit Stopwatch(const char  *name,
                        const double calls = 1.,
                        const double bytes = 0.)
@@ -64,7 +64,7 @@ namespace Crevasse
 
     Stopwatch(const Stopwatch &) = delete;
 
-    /** Brings the meters of those that run up to date. */
+    /** Updates the meters of all running stopwatches. */
     static void
     update()
     {
@@ -78,7 +78,7 @@ namespace Crevasse
     Meter &
     add_time()
     {
-      // No text is made in the time loop but for the first call.
+      // Only the first call builds a std::string: this runs in the time loop.
       auto meter = meters.find(name);
       if (meter == meters.end())
         meter = meters.emplace(name, Meter()).first;
@@ -95,19 +95,19 @@ namespace Crevasse
 
     inline static Stopwatch *innermost = nullptr;
 
-    const char *const name; ///< a literal
+    const char *const name; ///< name of the meter, a literal
     const double      calls, bytes;
     Stopwatch *const  outer     = std::exchange(innermost, this);
     double            of_others = 0.;
     Clock::time_point begin     = Clock::now();
   };
 
-  /** Under this name a run has a stopwatch from its beginning to its end. */
+  /** Name of the meter that runs from the beginning to the end of a run. */
   constexpr const char *all_else = "all else";
 
-  /** Adds to the summary what took how much of the time on rank 0, and prints
-   * that as a table if the log is verbose: with it, what the memory of the
-   * machine allows the linear solves at best. Collective.
+  /** Adds the times of all meters on rank 0 to the summary. If the log is
+   * verbose, prints them as a table, with the bound that the bandwidth of the
+   * memory sets on the linear solves. Collective.
    *
    * @return the seconds of the run. */
   double

@@ -10,7 +10,7 @@
 
 namespace Crevasse
 {
-  /** The lists of all ranks, one after the other. Collective. */
+  /** Concatenates the lists of all ranks in their order. Collective. */
   template <typename T>
   std::vector<T>
   of_all_ranks(const MPI_Comm communicator, const std::vector<T> &local)

@@ -17,13 +17,13 @@ namespace Crevasse
    * A parameter that is a text in the scene file and a value in the program,
    * such as a formula or a list of points. The text is parsed once, when it is
    * set. A text that cannot be parsed is kept together with the reason, so that
-   * only a scene that uses the parameter is refused.
+   * only scenes that use the parameter fail.
    */
   template <typename Value>
   class Parsed
   {
   public:
-    /** Throws a SceneError that says what is expected. */
+    /** Parses a text, or throws a SceneError that says what is expected. */
     using Parser = std::function<Value(const std::string &)>;
 
     Parsed(const std::string &text, Parser parser)
@@ -49,7 +49,7 @@ namespace Crevasse
       return *this;
     }
 
-    /** @throw SceneError if the text could not be parsed. */
+    /** Parsed value. @throw SceneError if the text could not be parsed. */
     const Value &
     operator*() const
     {
@@ -77,14 +77,14 @@ namespace Crevasse
       return value.has_value();
     }
 
-    /** Why it could not. */
+    /** Why the text could not be parsed. */
     const std::string &
     error() const
     {
       return reason;
     }
 
-    /** Declares an entry of this name, which sets this object. */
+    /** Declares the parameter @p name, which sets this object. */
     void
     add_parameter(const std::string        &name,
                   const std::string        &documentation,

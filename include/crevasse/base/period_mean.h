@@ -9,9 +9,9 @@
 namespace Crevasse
 {
   /**
-   * (1/T) ∫ f dt over a period. The trapezoidal rule is refined until it
-   * settles to rounding, which it does fast for smooth periodic functions; for
-   * others an adaptive Gauss–Kronrod rule takes over.
+   * Mean (1/T) ∫ f dt of a function over a period. The trapezoidal rule is
+   * refined until it settles to rounding, which is fast for smooth periodic
+   * functions; otherwise an adaptive Gauss–Kronrod rule is used.
    */
   double
   period_mean(const std::function<double(const double t)> &f,

@@ -13,34 +13,34 @@
 
 namespace Crevasse
 {
-  /** Something the user gave is wrong: command line, parameter, expression or
-   * mesh, found before computing. The program ends with exit status 2. */
+  /** Exception for wrong input: command line, parameter, expression or mesh,
+   * found before computing. The program ends with exit status 2. */
   struct SceneError : std::runtime_error
   {
     using std::runtime_error::runtime_error;
   };
 
-  /** A numerical failure: no convergence, unstable step, rigid-body motion left
-   * free. The program ends with exit status 3. */
+  /** Exception for a numerical failure: no convergence, unstable step,
+   * unconstrained rigid-body motion. The program ends with exit status 3. */
   struct NumericalError : std::runtime_error
   {
     using std::runtime_error::runtime_error;
   };
 
-  /** A file cannot be read or written. The program ends with exit status 4. */
+  /** Exception for a file that cannot be read or written. The program ends with
+   * exit status 4. */
   struct FileError : std::runtime_error
   {
     using std::runtime_error::runtime_error;
   };
 
-  /** Where something was set: in a file, or by an option of the command line.
-   */
+  /** Where a parameter was set: in a file, or by a command-line option. */
   struct Origin
   {
     std::string  source;   ///< "scene.prm", "--set \"Section/Name=value\""
-    unsigned int line = 0; ///< 0: none
+    unsigned int line = 0; ///< 0: no line
 
-    /** "scene.prm:12" */
+    /** The origin as text, "scene.prm:12". */
     std::string
     text() const;
   };
@@ -52,33 +52,33 @@ namespace Crevasse
   class Problems
   {
   public:
-    /** A free-standing message. */
+    /** Adds a message that concerns no single parameter. */
     void
     add(const std::string &message, const Origin &origin = {});
 
-    /** A parameter with its value and what would be allowed: "[Section] Name =
-     * value: allowed", after the place where it was set, if that is known. */
+    /** Adds a message about a parameter, its value and the allowed values:
+     * "[Section] Name = value: allowed", after its origin if known. */
     void
     add(const std::string &section,
         const std::string &name,
         const std::string &value,
         const std::string &allowed);
 
-    /** The same with the value that was noted. */
+    /** Adds a message about a parameter whose value was noted by note(). */
     void
     add(const std::string &section,
         const std::string &name,
         const std::string &allowed);
 
-    /** The problem that was added last is a file that cannot be read. */
+    /** Marks the last added problem as an unreadable file. */
     void
     last_is_unreadable()
     {
       ++n_unreadable;
     }
 
-    /** Remembers the value of a parameter and where it was set, for what is
-     * added about it from now on. */
+    /** Notes the value of a parameter and where it was set, for later messages
+     * about it. */
     void
     note(const std::string &section,
          const std::string &name,
@@ -95,17 +95,17 @@ namespace Crevasse
       return messages.empty();
     }
 
-    /** Whether something was reported about this parameter, so that a
-     * comparison with others would only confuse. */
+    /** Whether a problem of this parameter was reported, so that comparing it
+     * with other parameters would only confuse. */
     bool
     concern(const std::string &section, const std::string &name) const
     {
       return concerned.count({section, name}) > 0;
     }
 
-    /** Throws one SceneError with all messages, one a line in the order of the
-     * lines that they are about, if there are any; a FileError if there is
-     * nothing to mend but files that cannot be read. */
+    /** Throws one SceneError with all messages, if any, one a line in the order
+     * of the lines in the scene; a FileError if all problems are unreadable
+     * files. */
     void
     throw_if_any() const;
 
@@ -113,10 +113,10 @@ namespace Crevasse
     using Parameter = std::pair<std::string, std::string>;
 
     std::vector<std::pair<Origin, std::string>> messages;
-    std::size_t                                 n_unreadable = 0; ///< of these
-    std::set<Parameter>                         concerned;
-    std::map<Parameter, Origin>                 origins;
-    std::map<Parameter, std::string>            values;
+    std::size_t                      n_unreadable = 0; ///< messages about files
+    std::set<Parameter>              concerned;
+    std::map<Parameter, Origin>      origins;
+    std::map<Parameter, std::string> values;
   };
 } // namespace Crevasse
 

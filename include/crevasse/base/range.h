@@ -13,13 +13,13 @@
 
 namespace Crevasse
 {
-  /** The values that a quantity may have, and how to say it. */
+  /** Interval of allowed values of a quantity, with its description. */
   struct Range
   {
     double      least, most;
     const char *words; ///< "greater than 0"
 
-    /** False for what is no number. */
+    /** Whether the value is in the range; false for NaN. */
     constexpr bool
     contains(const double value) const
     {
@@ -35,10 +35,10 @@ namespace Crevasse
 
   namespace Ranges
   {
-    /** Products of four quantities, as the squares of norms hold, must be
-     * numbers that a computer has. */
+    /** Bounds of the size of a quantity: products of four quantities, as in
+     * squares of norms, must not overflow or underflow. */
     constexpr double smallest = 1e-70, largest = 1e70;
-    /** Bounds that are not in the range. */
+    /** Closest numbers to the excluded bounds 0 and 1. */
     constexpr double above_0 = std::numeric_limits<double>::min();
     constexpr double below_1 = 1. - std::numeric_limits<double>::epsilon();
 
@@ -46,7 +46,7 @@ namespace Crevasse
     constexpr Range positive = {smallest,
                                 largest,
                                 "greater than 0, from 1e-70 to 1e70"};
-    // In stresses to the power -n.
+    // Creep coefficients have the unit of stress to the power -n.
     constexpr Range coefficient  = {1e-300,
                                     1e300,
                                     "greater than 0, from 1e-300 to 1e300"};
@@ -56,8 +56,8 @@ namespace Crevasse
     constexpr Range any_number   = {-largest, largest, "from -1e70 to 1e70"};
     constexpr Range fraction     = {0., below_1, "of at least 0, less than 1"};
 
-    // Close to -1 the shear modulus is all there is, and rounding eats the
-    // rest.
+    // Close to -1 the bulk modulus vanishes against the shear modulus and is
+    // lost to rounding.
     constexpr double least_ratio    = -0.999;
     constexpr Range  elastic_ratio  = {least_ratio,
                                        0.5 - 1e-15,
@@ -68,8 +68,8 @@ namespace Crevasse
     constexpr Range  creep_exponent = {1., 50., "at least 1 and at most 50"};
   } // namespace Ranges
 
-  /** For ParameterHandler: a number in a range, described by its bounds and in
-   * words. */
+  /** Pattern of ParameterHandler for a number in a range, described by its
+   * bounds and in words. */
   class NumberPattern : public dealii::Patterns::PatternBase
   {
   public:

@@ -14,15 +14,14 @@
 namespace Crevasse
 {
   /**
-   * What a scene may select as a value of an enum: specialised for each such
-   * enum, with its documentation `meaning`, and an array `rows` of structs that
-   * begin with `value` and `name` and go on with traits, in the order of the
-   * enum.
+   * Values of an enum that a scene may select. Specialised for each such enum,
+   * with its documentation `meaning`, and an array `rows` of structs that begin
+   * with `value` and `name`, followed by traits, in the order of the enum.
    */
   template <typename Enum>
   struct Selection;
 
-  /** A row without traits. */
+  /** Row of a Selection without traits. */
   template <typename Enum>
   struct NamedValue
   {
@@ -30,7 +29,7 @@ namespace Crevasse
     const char *name;
   };
 
-  /** The row of a value: traits(scheme).is_implicit. */
+  /** Row of a Selection for a value: traits(scheme).is_implicit. */
   template <typename Enum>
   constexpr const auto &
   traits(const Enum value)
@@ -38,7 +37,7 @@ namespace Crevasse
     return Selection<Enum>::rows[static_cast<std::size_t>(value)];
   }
 
-  /** What a scene calls the value. */
+  /** Name of an enum's value in a scene. */
   template <typename Enum>
   std::string
   name_of(const Enum value)
@@ -46,7 +45,7 @@ namespace Crevasse
     return traits(value).name;
   }
 
-  /** Whether a table has a row for each value, in their order. */
+  /** Whether a table has a row for each value of an enum, in their order. */
   template <typename Enum, typename Rows>
   constexpr bool
   follows_enum(const Rows &rows)
@@ -58,7 +57,7 @@ namespace Crevasse
     return i == std::size(Selection<Enum>::rows);
   }
 
-  /** All names, separated by @p separator. */
+  /** Names of all values of an enum, separated by @p separator. */
   template <typename Enum>
   std::string
   all_names(const std::string &separator)
@@ -71,7 +70,7 @@ namespace Crevasse
     return names;
   }
 
-  /** The value of this name. */
+  /** Value of an enum with this name. */
   template <typename Enum>
   Enum
   value_of(const std::string &name)
@@ -85,8 +84,8 @@ namespace Crevasse
     return {};
   }
 
-  /** Declares the entry @p name of the current subsection, which sets
-   * @p value. */
+  /** Declares a parameter @p name for an enum in the current subsection; it
+   * sets @p value. */
   template <typename Enum>
   void
   add_selection(const std::string        &name,

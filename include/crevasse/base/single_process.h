@@ -6,11 +6,11 @@
 
 namespace Crevasse
 {
-  /** To be called before MPI is initialised. If no mpirun, srun or the like has
-   * started this process, it tells Open MPI by the environment to start no
-   * daemon, to look for no networks, and to make no directory for the session,
-   * which processes that begin and end at once would remove from each other.
-   * What the environment says already stays. */
+  /** Prepares Open MPI for a single process; call it before MPI is initialised.
+   * If neither mpirun nor srun started this process, environment variables
+   * tell Open MPI to start no daemon, to look for no networks, and to make no
+   * session directory, which short-lived processes would remove from each
+   * other. Variables that are set already stay. */
   void
   set_up_single_process();
 } // namespace Crevasse

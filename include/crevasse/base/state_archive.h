@@ -22,35 +22,35 @@
 namespace Crevasse
 {
   /**
-   * What the state of a run is written to, or read from: objects show what
-   * they have, always in the same order, and one function of theirs serves for
-   * both. Fields do not depend on which rank has which cells, so that another
-   * number of ranks can go on. All functions are collective.
+   * Archive to write the state of a run to or to read it from. Objects
+   * serialise their state in a fixed order with one function for both. Fields
+   * do not depend on which rank has which cells, so that another number of
+   * ranks can resume the run. All functions are collective.
    */
   class StateArchive
   {
   public:
     virtual ~StateArchive() = default;
 
-    /** Whether values are read: they replace those that are shown. */
+    /** Whether the archive is read, and replaces its arguments. */
     virtual bool
     is_loading() const = 0;
 
-    /** Whether it is read by as many ranks as wrote it, so that what depends
-     * on who has which cells is the same; true while it is written. */
+    /** Whether as many ranks read the archive as wrote it, so that each has the
+     * same cells; true while the archive is written. */
     virtual bool
     has_same_ranks() const = 0;
 
     virtual MPI_Comm
     communicator() const = 0;
 
-    /** The place of what follows, so that what does not belong together is
-     * noticed. @throw FileError */
+    /** Begins a named section of the archive, so that a wrong order of reading
+     * is noticed. @throw FileError */
     void
     section(const std::string &name);
 
-    /** A value that all ranks have alike: a number, a string, a container of
-     * such, or a struct of numbers. */
+    /** Serialises a value that all ranks have alike: a number, a string, a
+     * container of these, or a struct of numbers. */
     template <typename T>
     void
     common(T &value)
@@ -63,7 +63,7 @@ namespace Crevasse
         value = dealii::Utilities::unpack<T>(bytes, false);
     }
 
-    /** The same for many structs of numbers. */
+    /** Serialises a list of structs of numbers that all ranks have alike. */
     template <typename T>
     void
     common_list(std::vector<T> &values)
@@ -79,40 +79,40 @@ namespace Crevasse
         std::memcpy(values.data(), bytes.data(), bytes.size());
     }
 
-    /** A number of each rank of which only the largest of all matters. */
+    /** Serialises the maximum over the ranks of a number. */
     void
     maximum(double &value);
 
-    /** A number of each rank of which only the sum matters. */
+    /** Serialises a number of each rank, of which only the sum matters. */
     void
     part_of_sum(double &value);
 
-    /** A field of displacements or nodal forces: see Space. If it is empty it
-     * stays so. */
+    /** Serialises a field of displacements or nodal forces (see Space). An
+     * empty field stays empty. */
     virtual void
     nodal(Vector &field) = 0;
 
-    /** A field at quadrature points, with any number of branches: see
-     * QuadratureField. If it is empty it stays so. */
+    /** Serialises a field at quadrature points with any number of branches (see
+     * QuadratureField). An empty field stays empty. */
     virtual void
     at_points(Vector &field) = 0;
 
-    /** A number for each bound of this rank, in the order of
-     * UnilateralBounds. If they are empty they stay so. */
+    /** Serialises a number for each contact bound of this rank, in the order of
+     * UnilateralBounds. An empty list stays empty. */
     virtual void
     on_bounds(std::vector<double> &values) = 0;
 
-    /** The same for what is true or false of each. */
+    /** Serialises a flag for each contact bound of this rank. */
     void
     on_bounds(std::vector<bool> &values);
 
-    /** A number for each cell, by active cell index. */
+    /** Serialises a number for each cell, by active cell index. */
     virtual void
     on_cells(dealii::Vector<double> &values) = 0;
 
   protected:
-    /** Takes these bytes, or gives back those that were taken in their
-     * turn. The first rank's are those of all. */
+    /** Writes these bytes, or reads the next bytes in the order of writing. The
+     * first rank's bytes are used on all ranks. */
     virtual void
     exchange(std::vector<char> &bytes) = 0;
   };

@@ -15,25 +15,25 @@
 
 namespace Crevasse
 {
-  /** Signals that ask a run to end. */
+  /** Signals that ask a run to stop. */
   constexpr int signals_to_stop[] = {SIGTERM, SIGINT, SIGHUP};
 
 
 
-  /** A run ends because it was asked to: no failure. The program ends with exit
-   * status 5; the message says what was kept. */
+  /** Exception that ends a run on request; no failure. The program ends with
+   * exit status 5; the message says what was saved. */
   struct StoppedOnRequest : std::runtime_error
   {
     using std::runtime_error::runtime_error;
   };
 
   /**
-   * Whether somebody wants the run to end, or to be kept: signals, a file
-   * "stop" in the output directory, or the end of the time that was granted.
+   * Requests to stop the run or to write a checkpoint: signals, a file "stop"
+   * in the output directory, or the end of the allowed wall time.
    *
-   * SIGTERM, SIGINT and SIGHUP end the run at the next opportunity, however
-   * often they come; SIGUSR1 has a checkpoint written. Handlers only set a
-   * flag. One small reduction makes all ranks know at the same moment.
+   * SIGTERM, SIGINT and SIGHUP stop the run at the next opportunity, however
+   * often they come; SIGUSR1 requests a checkpoint. Handlers only set a flag.
+   * One small reduction makes all ranks know at the same moment.
    */
   class StopRequests
   {
@@ -41,50 +41,49 @@ namespace Crevasse
     enum Request
     {
       none       = 0,
-      checkpoint = 1, ///< and go on
+      checkpoint = 1, ///< write a checkpoint and go on
       stop       = 2
     };
 
-    /** Catches the signals from now on, but for those to stop that the program
-     * was begun to ignore; there is one such object.
+    /** Starts to catch signals, except stop signals that the program ignored
+     * when it started. Only one such object may exist.
      *
-     * @param wall_time in seconds from now on; 0: any. */
+     * @param wall_time Allowed seconds from now on; 0: unlimited. */
     StopRequests(const MPI_Comm communicator, const double wall_time);
 
-    /** Signals do again what they did before, but for SIGUSR1, which is
-     * ignored. */
+    /** Restores the previous actions of signals; SIGUSR1 is then ignored. */
     ~StopRequests();
 
     StopRequests(const StopRequests &) = delete;
     StopRequests &
     operator=(const StopRequests &) = delete;
 
-    /** From now on looks for a file "stop" there; one that is there already
-     * was meant for another run and is removed. Collective. */
+    /** Starts to look for a file "stop" in this directory. Removes a file
+     * "stop" that was meant for an earlier run. Collective. */
     void
     look_in(const std::string &directory);
 
-    /** Looks, between two steps: the longest time between two calls is what
-     * the next step may take. A file "stop" is removed. Collective.
+    /** Checks for requests between two steps. The longest time between two
+     * calls estimates the next step. Removes a file "stop". Collective.
      *
-     * @param seconds_to_write what a checkpoint takes. */
+     * @param seconds_to_write Estimated time to write a checkpoint. */
     Request
     poll(const double seconds_to_write);
 
-    /** The time until the next call says nothing about steps. */
+    /** Excludes the time until the next poll() from the estimate of a step. */
     void
     skip_interval()
     {
       last_poll = -1.;
     }
 
-    /** Looks where nothing can be kept. Collective.
-     * @throw StoppedOnRequest if the run is to end. */
+    /** Checks for requests where no checkpoint can be written. Collective.
+     * @throw StoppedOnRequest if the run is to stop. */
     void
     stop_if_asked();
 
-    /** Who asked, for the log: "SIGTERM", "the file .../stop", ... Known on
-     * the first rank, if not by a signal to another one alone. */
+    /** Source of the request for the log: "SIGTERM", "the file .../stop", ...
+     * Known on the first rank, except a signal to another rank alone. */
     const std::string &
     reason() const
     {
@@ -92,7 +91,7 @@ namespace Crevasse
     }
 
   private:
-    // A request and the signal that brought it, if it was one, in one number.
+    // Factor to encode a request and its signal, if any, in one number.
     static constexpr int first_request = 64;
 
     int
@@ -104,14 +103,14 @@ namespace Crevasse
     const MPI_Comm communicator;
     const bool     first_rank;
     const double   wall_time;
-    std::string    file; ///< to look for; empty: none
+    std::string    file; ///< file "stop" to look for, or empty
     std::string    why;
 
     std::vector<std::pair<int, struct sigaction>> actions_before;
 
     const dealii::Timer since_begin;
-    double              last_poll = -1.; ///< negative: does not count
-    double              longest   = 0.;  ///< between two polls
+    double last_poll = -1.; ///< time of the last poll; negative: excluded
+    double longest   = 0.;  ///< longest time between two polls
   };
 } // namespace Crevasse
 

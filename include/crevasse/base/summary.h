@@ -10,10 +10,10 @@
 
 namespace Crevasse
 {
-  /** summary.json, its keys in the order in which they were set. */
+  /** Contents of summary.json, with keys in the order of insertion. */
   using Summary = nlohmann::ordered_json;
 
-  /** As a whole or not at all. @throw FileError */
+  /** Writes summary.json as a whole or not at all. @throw FileError */
   inline void
   write_summary(const Summary &summary, const std::string &file_name)
   {

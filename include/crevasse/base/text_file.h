@@ -8,19 +8,19 @@
 
 namespace Crevasse
 {
-  /** Why nothing can be read from a file, as "cannot be read: it is a
-   * directory"; nothing if it can. */
+  /** Why a file cannot be read, such as "cannot be read: it is a directory";
+   * empty if it can be read. */
   std::string
   why_unreadable(const std::string &file_name);
 
-  /** The whole text of a file, without the byte order mark that some editors
-   * put first.
+  /** Reads the whole text of a file, without the byte order mark that some
+   * editors write first.
    *
    * @throw FileError with the system's reason. */
   std::string
   read_text_file(const std::string &file_name);
 
-  /** Writes a file as a whole or not at all: what is not whole yet is named
+  /** Writes a file as a whole or not at all: an incomplete file has the name
    * @p file_name + ".part". @throw FileError */
   void
   write_atomically(const std::string &text, const std::string &file_name);

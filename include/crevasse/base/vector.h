@@ -8,7 +8,7 @@
 
 namespace Crevasse
 {
-  /** A field of which each rank has a part: displacements and forces at the
+  /** A field distributed over the ranks: displacements and forces at the
    * unknowns, stresses and strains at quadrature points. */
   using Vector = dealii::LinearAlgebra::distributed::Vector<double>;
 } // namespace Crevasse

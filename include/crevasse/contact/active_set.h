@@ -13,21 +13,20 @@
 namespace Crevasse
 {
   /**
-   * The primal–dual active set on all unknowns (Hintermüller, Ito and Kunisch,
-   * SIAM J. Optim. 13, 2002), on any number of ranks and with any linear
-   * solver. Set and solution of the last problem are where the next one
-   * starts; the linear problems are solved no better than the next set needs.
-   * If a set comes back, a projected Newton method finishes, which cannot
-   * cycle.
+   * Primal–dual active set method on all unknowns (Hintermüller, Ito and
+   * Kunisch, SIAM J. Optim. 13, 2002), on any number of ranks and with any
+   * linear solver. Starts from the set and the solution of the last problem;
+   * solves linear problems only as accurately as the next set needs. If a set
+   * recurs, a projected Newton method finishes, which cannot cycle.
    */
   class ActiveSet : public ContactSolver
   {
   public:
     /**
-     * @param linear_tolerance the factor by which the residual is reduced
-     * before the set is looked at again.
-     * @param maximum_iterations the largest number of sets for one problem,
-     * and steps of the projected Newton method; more than 200 are in vain.
+     * @param linear_tolerance Reduction of the residual before the set is
+     * updated.
+     * @param maximum_iterations Largest number of sets for one problem, and of
+     * steps of the projected Newton method; more than 200 sets do not help.
      */
     ActiveSet(const SignoriniProblem &problem,
               LinearSolver           &linear_solver,
@@ -57,15 +56,15 @@ namespace Crevasse
   private:
     static constexpr unsigned int most_sets = 200;
 
-    /** b − Aq, with the bounds of the set as equations. */
+    /** Computes b − Aq, with the bounds of the active set as equations. */
     void
     hold_and_compute_residual(const Vector &right_hand_side, Vector &solution);
 
-    /** The set that forces and openings call for. */
+    /** Next active set, from contact forces and openings. */
     std::vector<bool>
     next_set(const Vector &solution) const;
 
-    /** Notes a set of all ranks; false if it was there before. */
+    /** Stores a set of all ranks; false if it was there before. */
     bool
     is_new(const std::vector<bool> &set);
 
@@ -75,14 +74,14 @@ namespace Crevasse
     const double       linear_tolerance;
     const unsigned int maximum_iterations;
 
-    std::vector<bool> active; ///< for each locally owned bound
+    std::vector<bool> active; ///< flag of each locally owned bound
     Vector            residual;
     Vector            correction;
 
-    std::set<std::vector<bool>> seen; ///< sets of this solve, of all ranks
+    std::set<std::vector<bool>> seen; ///< all ranks' sets in this solve
     std::vector<unsigned int>   set_sizes;
     unsigned int                rescues     = 0;
-    unsigned int                not_reached = 0; ///< last sets of this solve
+    unsigned int                not_reached = 0; ///< sets not solved, in a row
   };
 } // namespace Crevasse
 

@@ -12,32 +12,32 @@
 namespace Crevasse
 {
   /**
-   * The sizes of forces and displacements by which errors are judged. One
-   * problem is solved for many right-hand sides: the largest sizes among them
-   * count, so that an instant without load, where everything is rounding, is
-   * not asked for relative accuracy.
+   * Scales of forces and displacements, relative to which errors are measured.
+   * One problem is solved for many right-hand sides: the largest sizes among
+   * them count, so that an instant without load, where everything is rounding,
+   * needs no relative accuracy.
    *
-   * A body that creeps on for many periods has a displacement, and a
-   * right-hand side that holds its viscous strain, far larger than what one
-   * period's loads do. If the loads are made known, they alone are the scale.
+   * A body that creeps for many periods has a displacement, and a right-hand
+   * side with its viscous strain, far larger than those caused by the loads of
+   * a period. If the loads are set, they alone are the scale.
    */
   class Scales
   {
   public:
-    /** Makes the largest nodal force of the loads known, if not 0. */
+    /** Sets the largest nodal force of the loads; 0: unknown. */
     void
     set_force_scale(const double largest_nodal_force)
     {
       load = largest_nodal_force;
     }
 
-    /** Raises the scales to those of one solution. Collective. */
+    /** Includes a solution in the maxima of the scales. Collective. */
     void
     include(const SignoriniProblem &problem,
             const Vector           &right_hand_side,
             const Vector           &solution);
 
-    /** 1 where nothing was ever loaded or moved: then any scale will do. */
+    /** Scale of forces; 1 if nothing was loaded or moved: any is right. */
     double
     force() const;
     double
@@ -46,15 +46,15 @@ namespace Crevasse
       return largest_displacement > 0. ? largest_displacement : 1.;
     }
 
-    /** The accuracy that rounding allows, relative to force(): sums of Aᵢⱼqⱼ
-     * cancel, all the more the finer the mesh and the longer the drift. */
+    /** Accuracy of forces that rounding allows, relative to force(): sums of
+     * Aᵢⱼqⱼ cancel, the more, the finer the mesh and the longer the drift. */
     double
     force_rounding() const
     {
       return some_roundings * force_to_round / force();
     }
 
-    /** The same, relative to displacement(). */
+    /** Relative accuracy of displacements that rounding allows. */
     double
     displacement_rounding() const
     {
@@ -65,32 +65,32 @@ namespace Crevasse
     static constexpr double some_roundings =
       100. * std::numeric_limits<double>::epsilon();
 
-    double load                  = 0.; ///< the largest nodal force, if known
-    double largest_force         = 0.; ///< of |bᵢ|
-    double largest_displacement  = 0.; ///< of |qᵢ|, without a long drift
-    double force_to_round        = 0.; ///< of |Aᵢᵢqᵢ|
-    double displacement_to_round = 0.; ///< of |qᵢ|
+    double load                  = 0.; ///< largest nodal force, if known
+    double largest_force         = 0.; ///< largest |bᵢ|
+    double largest_displacement  = 0.; ///< largest |qᵢ|, without a long drift
+    double force_to_round        = 0.; ///< largest |Aᵢᵢqᵢ|
+    double displacement_to_round = 0.; ///< largest |qᵢ|
   };
 
   /**
-   * How well q and g = L(Aq − b) solve a Signorini problem. All are relative to
-   * Scales. 0 is exact.
+   * Errors of q and g = L(Aq − b) as a solution of a Signorini problem,
+   * relative to Scales; 0 is exact.
    */
   struct Certificate
   {
-    double penetration     = 0.; ///< largest gap − Lq
-    double tension         = 0.; ///< largest −g
-    double complementarity = 0.; ///< largest min(|g|, |Lq − gap|)
-    double residual        = 0.; ///< largest |Aq − b| off the lip
+    double penetration     = 0.; ///< penetration: max(gap − Lq)
+    double tension         = 0.; ///< tension: max(−g)
+    double complementarity = 0.; ///< max min(|g|, |Lq − gap|)
+    double residual        = 0.; ///< max |Aq − b| off the lip
     /** Largest residual of Newton's method (power laws), relative to the
      * forces. */
     double newton_residual = 0.;
 
-    /** The largest of the first four. */
+    /** Largest of the first four errors. */
     double
     worst() const;
 
-    /** Keeps the larger of each, for the maxima over a run. */
+    /** Keeps the larger value of each error, for the maxima over a run. */
     void
     merge(const Certificate &other);
 
@@ -103,7 +103,7 @@ namespace Crevasse
    *
    * @param[in,out] scales Raised to those of this solution, then used.
    * @param[out] residual A q − b off the contact dofs, zero on them.
-   * @param[out] contact_forces g for each of the locally owned bounds.
+   * @param[out] contact_forces g of each locally owned bound.
    */
   Certificate
   certify(const SignoriniProblem &problem,

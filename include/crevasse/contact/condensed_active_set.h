@@ -14,21 +14,21 @@
 namespace Crevasse
 {
   /**
-   * For a fixed A, whose factor is at hand, with the unknowns of the lip last:
-   * between forward and backward substitution the variational inequality is a
-   * small one on the lip. It costs one back-solve, whether the lip is open or
-   * closed. On several ranks each solves the small problem.
+   * Active set method on the unknowns of the lip, for a fixed A with a factor
+   * that has them last: between forward and backward substitution, the
+   * variational inequality is a small one on the lip. Costs one back-solve,
+   * whether the lip is open or closed. Each rank solves the small problem.
    *
-   * Where A has free motions, the factor is that of A and weak springs at the
-   * bounds. The small problem is solved a few times, each time with springs at
-   * rest where they were in the solution before: the proximal point method
-   * (Rockafellar, SIAM J. Control Optim. 14, 1976), whose steps become one
-   * motion without end if there is no solution.
+   * If A has unconstrained motions, A with weak springs at the bounds is
+   * factorised. The small problem is solved a few times, with springs that are
+   * relaxed in the previous solution: the proximal point method (Rockafellar,
+   * SIAM J. Control Optim. 14, 1976), whose steps tend to one endless motion if
+   * there is no solution.
    */
   class CondensedActiveSet : public ContactSolver
   {
   public:
-    /** @param linear_solver one for A whose lip is that of the problem. */
+    /** @param linear_solver Solver for A with the lip of the problem. */
     CondensedActiveSet(const SignoriniProblem &problem,
                        DirectSolver           &linear_solver,
                        const double            tolerance);
@@ -58,14 +58,14 @@ namespace Crevasse
   private:
     using LipVector = CondensedProblem::LipVector;
 
-    /** The small problem for the loads, where A has free motions.
+    /** Solves the small problem if A has unconstrained motions.
      * @return the number of sets tried.
-     * @throw NumericalError if the loads do work on a motion of these that no
-     * bound stops. */
+     * @throw NumericalError if the loads do work on an unconstrained motion
+     * that no bound stops. */
     unsigned int
     solve_with_springs(LipVector &on_lip);
 
-    /** Whether these contact forces do not stop some motion without energy. */
+    /** Whether these contact forces leave an unconstrained motion possible. */
     bool
     leave_motions_free(const LipVector &forces) const;
 
@@ -73,11 +73,11 @@ namespace Crevasse
     require_no_escape(const LipVector &step) const;
 
     DirectSolver              &linear_solver;
-    const LipGraph             lip; ///< the nodes of the small problem
+    const LipGraph             lip; ///< nodes of the small problem
     CondensedProblem           lip_problem;
     LipVector                  loads;
-    LipVector                  sign, springs; ///< of all ranks
-    dealii::FullMatrix<double> free_motions;  ///< one in a column
+    LipVector                  sign, springs; ///< on all ranks
+    dealii::FullMatrix<double> free_motions;  ///< one motion in each column
   };
 } // namespace Crevasse
 

@@ -16,45 +16,45 @@ namespace Crevasse
    *     g = Σ q − c,      0 ≤ s g ⟂ s q − gap ≥ 0,
    *
    * with the stiffness Σ of the lip (symmetric, positive definite) and a sign s
-   * for each node. It is solved by a primal–dual active set, started from the
+   * for each node. A primal–dual active set method solves it, started from the
    * last set (Hintermüller, Ito and Kunisch, SIAM J. Optim. 13, 2002); if a set
-   * comes back, one node at a time changes, the last one that is wrong, which
-   * ends on every positive definite Σ (Murty, Opsearch 11, 1974).
+   * recurs, only the last wrong node changes at a time, which ends for every
+   * positive definite Σ (Murty, Opsearch 11, 1974).
    */
   class CondensedProblem
   {
   public:
     using LipVector = dealii::Vector<double>;
 
-    /** Improves the set that follows on another one, where more is known about
-     * the nodes than Σ: see LipGraph::extrapolate(). */
+    /** Function that improves the next set by knowledge of the nodes beyond Σ:
+     * see LipGraph::extrapolate(). */
     using Extrapolation = std::function<void(const std::vector<bool> &closed,
                                              std::vector<bool>       &next)>;
 
     /** @param stiffness Σ, which must outlive this object.
-     * @param sign s, 1 or -1. */
+     * @param sign s of each node, 1 or -1. */
     CondensedProblem(const dealii::LAPACKFullMatrix<double> &stiffness,
                      const LipVector                        &sign,
                      const LipVector                        &gap,
                      const Extrapolation &extrapolation = {});
 
     /**
-     * @param loads c
-     * @param[out] displacement q, the gap where closed.
+     * @param loads c of the problem to be solved
+     * @param[out] displacement q, equal to the gap where closed.
      * @return the number of sets tried.
      * @throw NumericalError if Σ is found not to be positive definite.
      */
     unsigned int
     solve(const LipVector &loads, LipVector &displacement);
 
-    /** Which nodes are closed: in the last solution or, set from outside, in
-     * the first guess for the next one. */
+    /** Whether each node is closed: in the last solution or, if set by the
+     * caller, in the first guess of the next solve. */
     std::vector<bool> closed;
 
-    /** Of Σ, for the open nodes. */
+    /** Factor of Σ for the open nodes. */
     PrincipalFactor factor;
 
-    /** How often sets came back. */
+    /** Number of solves in which a set recurred. */
     unsigned int
     n_rescues() const
     {
@@ -64,16 +64,16 @@ namespace Crevasse
   private:
     using Set = std::vector<bool>;
 
-    /** Solves for the closed nodes as they are, and returns those that forces
-     * and openings call for.
+    /** Solves with the current closed nodes, and returns the next ones.
      *
-     * @param rounding how negative both may be, relative to their sizes. */
+     * @param rounding Tolerated negative force and opening, relative to their
+     * sizes. */
     Set
     next_set(const LipVector &loads,
              LipVector       &displacement,
              const double     rounding);
 
-    /** Σ_ij v_j, for one i. */
+    /** Product Σ_ij v_j of one row i of Σ with a vector. */
     double
     product_in_row(const unsigned int i, const LipVector &v) const;
 

@@ -10,27 +10,27 @@
 namespace Crevasse
 {
   /**
-   * Solves on a face of the cone, where some bounds hold as equations: A with
-   * their rows and columns left out. Conjugate gradients run on the unknowns
-   * that are left; their preconditioner is the linear solver's for all of A,
-   * projected. So another face costs no set-up, and any linear solver on any
-   * number of ranks will do.
+   * Solves linear problems on a face of the cone, where some bounds hold as
+   * equations: A without their rows and columns. Conjugate gradients run on the
+   * free unknowns; the preconditioner is the linear solver's for all of A,
+   * projected. Another face needs no set-up, and any linear solver works on any
+   * number of ranks.
    */
   class FaceSolver
   {
   public:
-    /** @param counts where linear solves and their iterations are counted. */
+    /** @param counts Statistics that count linear solves and iterations. */
     FaceSolver(const SignoriniProblem &problem,
                LinearSolver           &linear_solver,
                SolverStatistics       &counts);
 
     /**
-     * @param held for each locally owned bound whether it holds.
+     * @param held Whether each locally owned bound holds as an equation.
      * @param residual b − Aq; its held entries do not count.
-     * @param residual_norm at which l₂ norm of the new residual to end.
-     * @param[out] correction to be added to q; zero in the held entries.
-     * @return whether that was reached within 1000 iterations; if not, the
-     * correction is the best there is.
+     * @param residual_norm l₂ norm of the new residual at which to end.
+     * @param[out] correction Correction of q; zero in the held entries.
+     * @return whether this norm was reached within 1000 iterations; if not, the
+     * correction is the best one found.
      */
     bool
     solve(const std::vector<bool> &held,

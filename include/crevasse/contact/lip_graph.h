@@ -9,50 +9,50 @@
 namespace Crevasse
 {
   /**
-   * The bounds of all ranks, numbered rank by rank, and which of them are
-   * neighbours: those whose unknowns A couples. Every rank has all of it.
+   * Graph of the bounds of all ranks, numbered rank by rank: bounds whose
+   * unknowns A couples are neighbours. Every rank has the whole graph.
    */
   class LipGraph
   {
   public:
-    /** Collective. */
+    /** Builds the graph. Collective. */
     explicit LipGraph(const SignoriniProblem &problem);
 
-    /** The number of the first locally owned bound. */
+    /** Number of the first locally owned bound. */
     unsigned int
     first() const
     {
       return first_local;
     }
 
-    /** Of all ranks. */
+    /** Number of bounds on all ranks. */
     unsigned int
     n_nodes() const
     {
       return neighbours.size();
     }
 
-    /** Completes, by those of the other ranks, the entries of the locally
-     * owned nodes of @p on_lip. Collective. */
+    /** Completes the locally owned entries of @p on_lip by those of the other
+     * ranks. Collective. */
     void
     gather(double *on_lip) const;
 
-    /** A set of all ranks' nodes, from the locally owned ones. Collective. */
+    /** Combines the locally owned flags of all ranks. Collective. */
     std::vector<bool>
     gathered(const std::vector<bool> &local) const;
 
     /**
-     * Where a set is wrong by a layer of nodes along its edge, the next set of
-     * a primal–dual active set is not right either: at the edge of a contact
-     * that reaches too far by δ the pressure is that of a crack tip,
-     * p ~ (δ/2 − x)/√x at the distance x, so that tension shows on half of the
-     * layer only; where it falls short by δ, the opening is
-     * w ~ x^{3/2} − (3/2) δ x^{1/2}, so that penetration shows half as far
-     * again. Errors are halved, and the number of sets grows with the logarithm
-     * of the mesh size. This function moves the edges to where these formulas
-     * put them, by layers of neighbours, if they move by several layers.
+     * Moves the edges of the next active set as the formulas below predict.
      *
-     * @param active the set of which @p next is the plain successor.
+     * If a set is wrong by a layer of nodes along its edge, so is the next set
+     * of a primal–dual active set method. A contact that reaches too far by δ
+     * has a pressure as at a crack tip, p ~ (δ/2 − x)/√x at the distance x, so
+     * that half of the layer shows tension; if it is too short by δ, the
+     * opening is w ~ x^{3/2} − (3/2) δ x^{1/2}, and penetration reaches 1.5 δ.
+     * Errors are halved, and the number of sets grows with the logarithm of the
+     * mesh size. Edges move only by several layers.
+     *
+     * @param active Set whose plain successor is @p next.
      */
     void
     extrapolate(const std::vector<bool> &active, std::vector<bool> &next) const;
@@ -60,22 +60,22 @@ namespace Crevasse
   private:
     using Nodes = std::vector<unsigned int>;
 
-    /** Of the nodes marked, those connected with @p seed, which are unmarked,
-     * by layers of distance from those that have a neighbour where
-     * @p is_outside; without such a neighbour there are no layers. */
+    /** Layers of the marked nodes that are connected with @p seed, by their
+     * distance from nodes with a neighbour where @p is_outside; no layers
+     * without such a neighbour. Unmarks the nodes. */
     template <typename IsOutside>
     std::vector<Nodes>
     layers(const unsigned int seed,
            std::vector<bool> &marked,
            const IsOutside   &is_outside) const;
 
-    /** Takes nodes from @p next around those of @p layers, as many layers as
-     * these are. */
+    /** Removes from @p next a neighbourhood of @p layers that is as many layers
+     * wide. */
     void
     erode(const std::vector<Nodes> &layers, std::vector<bool> &next) const;
 
     MPI_Comm           communicator;
-    std::vector<int>   counts; ///< of bounds on each rank
+    std::vector<int>   counts; ///< number of bounds on each rank
     std::vector<int>   starts;
     unsigned int       first_local;
     std::vector<Nodes> neighbours;

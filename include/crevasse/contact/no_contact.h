@@ -8,8 +8,8 @@
 
 namespace Crevasse
 {
-  /** Without bounds the variational inequality is A q = b: one linear solve,
-   * certified like all others. */
+  /** ContactSolver without bounds: A q = b is one linear solve, certified as
+   * all others. */
   class NoContact : public ContactSolver
   {
   public:

@@ -12,12 +12,12 @@ namespace Crevasse
 {
   /**
    * Bertsekas' projected Newton method (SIAM J. Control Optim. 20, 1982):
-   * Newton steps on the face of the bounds that are met, or nearly, and
-   * pressed, which themselves are pressed on by the diagonal; bent back into
-   * the cone, and shortened until the energy ½qᵀAq − bᵀq decreases enough. The
-   * energy falls with every step, so that nothing can repeat: it converges for
-   * every symmetric positive definite A, if slower than an active set that does
-   * not cycle.
+   * Newton steps on the face of active or nearly active bounds under pressure,
+   * while the diagonal of A moves the unknowns of these bounds. Steps are bent
+   * back into the cone, and shortened until the energy ½qᵀAq − bᵀq decreases
+   * enough. The energy falls with every step, so that nothing can repeat: the
+   * method converges for every symmetric positive definite A, but more slowly
+   * than an active set that does not cycle.
    */
   class ProjectedNewton
   {
@@ -25,11 +25,11 @@ namespace Crevasse
     ProjectedNewton(const SignoriniProblem &problem, FaceSolver &face);
 
     /**
-     * @param[in,out] solution any start.
-     * @param residual_norm accuracy of the linear solves (l₂).
-     * @param is_solved asked before each step.
-     * @return the number of steps. It also ends when the energy cannot be
-     * decreased any more, or after @p maximum_steps.
+     * @param[in,out] solution Any initial guess.
+     * @param residual_norm Accuracy of the linear solves (l₂).
+     * @param is_solved Evaluated before each step.
+     * @return the number of steps. Also ends when the energy cannot be
+     * decreased, or after @p maximum_steps.
      */
     unsigned int
     solve(const Vector                              &right_hand_side,
@@ -38,7 +38,7 @@ namespace Crevasse
           const std::function<bool(const Vector &)> &is_solved,
           const unsigned int                         maximum_steps);
 
-    /** The face of the last step, for each locally owned bound. */
+    /** Bounds in the face of the last step, for each locally owned bound. */
     const std::vector<bool> &
     held_bounds() const
     {
@@ -46,16 +46,16 @@ namespace Crevasse
     }
 
   private:
-    /** Into the cone. */
+    /** Projects a vector into the cone of the bounds. */
     void
     project(Vector &solution) const;
 
-    /** The bounds that are met, or nearly, and pressed. */
+    /** Finds the bounds that are active, or nearly, and under pressure. */
     void
     find_face(const Vector &solution);
 
-    /** Moves along the correction, bent at the bounds, by one step or the
-     * fraction of it that decreases the energy enough. False if none does. */
+    /** Line search along the correction, bent at the bounds, by one step or the
+     * fraction that decreases the energy enough. False if there is none. */
     bool
     search_along_correction(Vector &solution);
 

@@ -9,12 +9,12 @@
 
 namespace Crevasse
 {
-  /** The paper's solver: overrelaxation with projection, started from the last
-   * solution. On one process only. */
+  /** The paper's solver: projected successive overrelaxation, started from the
+   * last solution. On one process only. */
   class ProjectedSor : public ContactSolver
   {
   public:
-    /** @param relaxation_factor in ]0,2[, where it converges. */
+    /** @param relaxation_factor In ]0,2[, where the method converges. */
     ProjectedSor(const SignoriniProblem &problem,
                  const double            relaxation_factor,
                  const double            tolerance,

@@ -14,13 +14,13 @@ namespace Crevasse
   using SparseMatrix = dealii::TrilinosWrappers::SparseMatrix;
 
   /**
-   * The one-sided bounds of the locally owned contact dofs: `sign[k] *
-   * q[dofs[k]] >= gap[k]`. The sign (±1) turns a dof into the displacement
-   * along the inward normal of the lip.
+   * One-sided bounds of the locally owned contact dofs: `sign[k] * q[dofs[k]]
+   * >= gap[k]`. The sign (±1) turns a dof into the displacement along the
+   * inward normal of the lip.
    */
   struct UnilateralBounds
   {
-    /** A motion without energy, by what it adds to each `sign * q[dof]`. */
+    /** A motion without energy, given by its `sign * q[dof]` at each bound. */
     struct FreeMotion
     {
       std::string         name;
@@ -31,12 +31,12 @@ namespace Crevasse
     std::vector<double>                          sign;
     std::vector<double>                          gap;
 
-    /** The last ones that are of no place on the lip: their unknowns couple
-     * with all others. */
+    /** Number of bounds, at the end, without a point on the lip: their unknowns
+     * couple with all others. */
     unsigned int n_global = 0;
 
-    /** A basis of the kernel of A: what bounds alone can stop. The same motions
-     * on all ranks, each of which opens some bound. */
+    /** Basis of the kernel of A: motions that only bounds can stop. The same on
+     * all ranks; each motion opens some bound. */
     std::vector<FreeMotion> free_motions;
   };
 
@@ -46,15 +46,14 @@ namespace Crevasse
    *
    *     A q − b = Lᵀ g,      0 ≤ g ⟂ L q − gap ≥ 0.
    *
-   * A is symmetric positive definite, but for free motions. Nothing here knows
-   * of finite elements, time or materials. The right-hand side comes with each
-   * solve.
+   * A is symmetric positive definite, except for free motions. This class knows
+   * no finite elements, time or materials. Each solve has its right-hand side.
    */
   class SignoriniProblem
   {
   public:
-    /** Both must outlive the problem. @throw NumericalError if a diagonal
-     * entry is not positive: then A is not positive definite. */
+    /** Both arguments must outlive the problem. @throw NumericalError if a
+     * diagonal entry is not positive: A is not positive definite. */
     SignoriniProblem(const LinearOperator   &stiffness,
                      const UnilateralBounds &bounds);
     SignoriniProblem(const SparseMatrix     &matrix,
@@ -64,42 +63,42 @@ namespace Crevasse
     SignoriniProblem(std::shared_ptr<const LinearOperator> own,
                      const UnilateralBounds               &bounds);
 
-    std::shared_ptr<const LinearOperator> of_matrix; ///< null: not its own
+    std::shared_ptr<const LinearOperator> of_matrix; ///< own operator, or null
 
   public:
     const LinearOperator &stiffness; ///< A
 
     const UnilateralBounds &bounds;
 
-    /** A as a matrix, for what needs its entries: a scene that does has no
-     * matrix-free operator. */
+    /** A as a matrix, for methods that need its entries: scenes with these
+     * methods have no matrix-free operator. */
     const SparseMatrix &
     matrix() const
     {
       return *stiffness.matrix();
     }
 
-    /** The diagonal of A: the scale of forces, and the SOR sweep's divisor. */
+    /** Diagonal of A: the scale of forces, and the SOR sweep's divisor. */
     const Vector &
     diagonal() const
     {
       return stiffness.diagonal();
     }
 
-    /** Springs at the locally owned bounds with which A is positive definite
-     * although there are free motions. A solution without springs is the limit
-     * of those whose springs are at rest where the one before was. */
+    /** Stiffnesses of springs at the locally owned bounds that make A positive
+     * definite in spite of free motions. A solution without springs is the
+     * limit of solutions whose springs are relaxed in the previous one. */
     std::vector<double>
     springs() const;
 
-    /** Number of bounds on all ranks. */
+    /** Number of contact bounds on all ranks. */
     dealii::types::global_dof_index
     n_bounds() const
     {
       return all_dofs.size();
     }
 
-    /** The unknowns of all ranks that have bounds, rank by rank. */
+    /** Unknowns with bounds on all ranks, rank by rank. */
     const LinearOperator::Indices &
     all_bounded_dofs() const
     {

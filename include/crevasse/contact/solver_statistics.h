@@ -9,7 +9,7 @@
 
 namespace Crevasse
 {
-  /** Numbers of the expensive operations of a run, and their errors. */
+  /** Counts of the expensive operations of a run, and their largest errors. */
   struct SolverStatistics
   {
     std::size_t assemblies        = 0;
@@ -17,27 +17,26 @@ namespace Crevasse
     std::size_t multigrid_setups  = 0;
     std::size_t linear_solves     = 0;
     std::size_t linear_iterations = 0;
-    std::size_t vi_solves         = 0; ///< with bounds
+    std::size_t vi_solves         = 0; ///< problems with bounds
     std::size_t vi_iterations     = 0;
-    std::size_t implicit_stages   = 0; ///< of a power law
+    std::size_t implicit_stages   = 0; ///< stages for a power law
 
-    std::size_t certified = 0; ///< solves with a certificate
+    std::size_t certified = 0; ///< certified solves
 
-    /** Solutions in which no contact force stops some free motion: stresses
-     * and forces are certain, the position is one of many. */
+    /** Number of solutions in which contact forces do not stop every free
+     * motion: stresses and forces are unique, the position is not. */
     std::size_t undetermined = 0;
 
-    /** The maxima over all solves. */
+    /** Largest errors of all solves. */
     Certificate certificate;
 
-    /** The largest error that was accepted: the tolerance, or what rounding
-     * leaves of it. */
+    /** Largest accepted error: the tolerance, or more if rounding requires. */
     double accuracy = 0.;
 
     void
     add(const SolverStatistics &other);
 
-    /** Counters and certificate of summary.json. */
+    /** Adds counters and certificate to summary.json. */
     void
     add_to(Summary &summary) const;
   };

@@ -9,8 +9,8 @@
 
 namespace Crevasse
 {
-  /** Number of SOR iterations, from zero, until max|Aq − b| is at most a
-   * target (a force). */
+  /** Number of SOR iterations from zero until max|Aq − b| is at most a target
+   * (a force). */
   struct SorCount
   {
     unsigned int iterations = 0;
@@ -25,21 +25,21 @@ namespace Crevasse
   class Sweep
   {
   public:
-    /** @param problem must outlive the sweep. */
+    /** @param problem Must outlive the sweep. */
     explicit Sweep(const SignoriniProblem &problem);
 
     /**
      * Overwrites @p solution by the next iterate and returns the largest
-     * residual of a row when its turn came (a force; infinity if the iterate is
-     * not finite). Rows that the projection holds at their bound count by what
-     * they still move. It is cheap and close to, but not, the certificate.
+     * residual of a row at its update (a force; infinity if the iterate is not
+     * finite). A row held at its bound counts by its movement. The residual is
+     * cheap and close to the certificate, but not equal to it.
      */
     double
     operator()(const Vector &right_hand_side,
                Vector       &solution,
                const double  relaxation_factor) const;
 
-    /** How many a problem without bounds takes. */
+    /** Number of iterations for a problem without bounds. */
     SorCount
     count_iterations(const Vector      &right_hand_side,
                      const double       relaxation_factor,
@@ -47,12 +47,12 @@ namespace Crevasse
                      const unsigned int maximum_iterations) const;
 
     /**
-     * The relaxation factor that needs the fewest iterations, by dichotomy of
-     * ]0,2[ (bracketing, then golden section) until 2 − ω is known to 3 %
-     * (paper, §7: "dichotomic analysis of the interval"). To be called on the
-     * problem without bounds, as the paper does.
+     * Relaxation factor with the fewest iterations, by dichotomy of ]0,2[
+     * (bracketing, then golden section) until 2 − ω is known to 3 % (paper, §7:
+     * "dichotomic analysis of the interval"). Call this on the problem without
+     * bounds, as the paper does.
      *
-     * @param target the residual (a force) at which iterations are counted.
+     * @param target Residual (a force) at which iterations are counted.
      * @throw NumericalError if no factor reaches it in maximum_iterations.
      */
     double
@@ -63,7 +63,7 @@ namespace Crevasse
   private:
     const SignoriniProblem &problem;
     const MatrixRows        rows;
-    std::vector<int>        bound_of; ///< for each unknown its bound, or −1
+    std::vector<int>        bound_of; ///< bound of each unknown, or −1
   };
 } // namespace Crevasse
 

@@ -8,7 +8,7 @@
 
 namespace Crevasse
 {
-  /** Values of each branch of a material at the quadrature points. */
+  /** Values at the quadrature points for each branch of a material. */
   template <typename Value>
   struct BranchValues
   {
@@ -25,16 +25,16 @@ namespace Crevasse
   };
 
   /**
-   * What stands for the stiffness where the viscous strain is implicit,
-   * rᵢ = r̂ᵢ + c ṙᵢ (model, §3): each branch bears
+   * Algorithmic moduli, which replace the stiffness if the viscous strain is
+   * implicit, rᵢ = r̂ᵢ + c ṙᵢ (model, §3): the stress of each branch is
    *
    *     sᵢ = k K̂ᵢ (e − χθ − r̂ᵢ),   K̂ᵢ = (I + κ wᵢ K Hᵢ)⁻¹ wᵢ K,   κ = c k/η₀
    *
-   * and the spring what it always bears. All are symmetric, and their sum is
+   * and that of the spring stays. All moduli are symmetric, and their sum is
    * positive definite on the components that K knows.
    *
-   * Where everything oscillates at one frequency, they are complex: κ = k/(η₀
-   * z) with z = iω or what a time scheme makes of it.
+   * For oscillations at one frequency they are complex: κ = k/(η₀ z) with z =
+   * iω or its approximation by a time scheme.
    */
   template <int dim, typename Number = double>
   struct AlgorithmicModuli : BranchValues<VoigtMatrix<dim, Number>>
@@ -69,18 +69,18 @@ namespace Crevasse
              sum.memory_consumption();
     }
 
-    PointValues<VoigtMatrix<dim, Number>> sum; ///< with the spring
+    PointValues<VoigtMatrix<dim, Number>> sum; ///< branches and spring
   };
 
   /**
-   * How the viscous strain of a material relaxes over a time c where the strain
-   * is held: φ₁(−c Lᵢ) and φ₂(−c Lᵢ) for each branch and point, with the rates
-   * Lᵢ = k wᵢ/η₀ Hᵢ K. See decay_functions().
+   * Functions by which the viscous strain of a material relaxes over a time c
+   * at constant strain: φ₁(−c Lᵢ) and φ₂(−c Lᵢ) for each branch and point, with
+   * the rates Lᵢ = k wᵢ/η₀ Hᵢ K. See decay_functions().
    */
   template <int dim>
   struct RelaxationFunctions : BranchValues<PhiFunctions<dim>>
   {
-    /** @param kappa c k/η₀ */
+    /** Computes φ₁ and φ₂. @param kappa c k/η₀ */
     RelaxationFunctions(const MaterialState<dim> &material,
                         const double              kappa,
                         const std::size_t         n_points)

@@ -15,10 +15,10 @@
 namespace Crevasse
 {
   /**
-   * What loops over the cells of this rank need of a space, for CellKernels:
-   * indices, constraints and geometry. Without the cells that have another rule
-   * than the first, see Space::quadratures. Shared by all operators of a
-   * space: see Space::cell_loops().
+   * Data for loops of CellKernels over the cells of this rank: indices,
+   * constraints and geometry. Excludes cells that do not have the first rule,
+   * see Space::quadratures. All operators of a space share this object: see
+   * Space::cell_loops().
    *
    * Constraints are resolved once for each unknown, not in each cell: a kernel
    * reads and writes constrained unknowns like others.
@@ -30,10 +30,10 @@ namespace Crevasse
     template <typename Real>
     using VectorOf = dealii::LinearAlgebra::distributed::Vector<Real>;
 
-    /** @p space must outlive this object. Collective. */
+    /** Prepares the loops. @p space must outlive them. Collective. */
     explicit CellLoops(const Space<dim> &space);
 
-    /** Gives @p vector the layout for all functions here: values at nodes. */
+    /** Gives @p vector the layout for loops: values at nodes. */
     template <typename Real>
     void
     initialize(VectorOf<Real> &vector) const
@@ -41,7 +41,7 @@ namespace Crevasse
       vector.reinit(partitioner);
     }
 
-    /** Calls f(cell, k) for each cell, in the order of the loops. */
+    /** Calls f(cell, k) for each cell in the order of the loops. */
     template <typename Function>
     void
     for_each_cell(const Function &f) const
@@ -65,14 +65,14 @@ namespace Crevasse
     }
 
     /** Local indices of the first component at the nodes of cell k, x fastest;
-     * the others follow. */
+     * the other components follow. */
     const unsigned int *
     first_indices(const unsigned int k) const
     {
       return indices.data() + std::size_t(k) * n_nodes;
     }
 
-    /** The place of each dof of the element: node × dim + component. */
+    /** Position of each dof of the element: node × dim + component. */
     const std::vector<unsigned int> &
     places() const
     {
@@ -86,15 +86,15 @@ namespace Crevasse
       return geometry<Real>().kernels;
     }
 
-    /** From the batch @p first on, at most so many. In single precision the
-     * unit of length is length_unit(). */
+    /** Batches from @p first on, at most so many. In single precision the unit
+     * of length is length_unit(). */
     template <typename Real>
     CellBatches<Real>
     batches(const unsigned int first   = 0,
             const unsigned int at_most = -1) const;
 
-    /** So that single precision can hold powers of the size of cells: that of a
-     * cell of the coarsest mesh, which meshes of several levels share. */
+    /** Unit of length with which single precision can hold powers of the size
+     * of cells: diameter of a coarsest cell, which all levels share. */
     double
     length_unit() const
     {
@@ -108,16 +108,16 @@ namespace Crevasse
       return owned_constrained;
     }
 
-    /** As long as it exists, the ghost values of a vector are set, and those of
-     * constrained unknowns are what the constraints make of the others. */
+    /** Sets ghost values and constrained entries of a vector during its life.
+     */
     template <typename Real>
     class ResolvedValues
     {
     public:
-      /** Collective. */
+      /** Sets the values. Collective. */
       ResolvedValues(const CellLoops &loops, const VectorOf<Real> &vector);
 
-      /** Leaves the vector as it was, without ghost values. */
+      /** Restores the vector, without ghost values. */
       ~ResolvedValues();
 
       ResolvedValues(const ResolvedValues &) = delete;
@@ -128,8 +128,8 @@ namespace Crevasse
       std::vector<Real>     own_values;
     };
 
-    /** The transpose: adds what was gathered at constrained unknowns and ghosts
-     * to those that they depend on; leaves zeros there. Collective. */
+    /** Transpose of ResolvedValues: adds entries of constrained unknowns and
+     * ghosts to their masters, and zeroes them. Collective. */
     template <typename Real>
     void
     distribute(VectorOf<Real> &vector) const;
@@ -167,14 +167,14 @@ namespace Crevasse
     std::shared_ptr<const dealii::Utilities::MPI::Partitioner> partitioner;
     std::vector<unsigned int>                                  indices;
 
-    // Of the unknowns of the cells those that are constrained: local indices,
-    // where the local indices and weights of the others begin, and these.
+    // Constrained unknowns of the cells: local indices, starts of their entries
+    // in weights, and entries (local index, weight).
     std::vector<unsigned int>                    constrained_indices;
     std::vector<std::size_t>                     starts = {0};
     std::vector<std::pair<unsigned int, double>> weights;
     std::vector<unsigned int>                    owned_constrained;
 
-    /** If asked for. */
+    /** Geometry of all batches, made when first used. */
     mutable std::tuple<std::unique_ptr<const Geometry<float>>,
                        std::unique_ptr<const Geometry<double>>>
       geometries;

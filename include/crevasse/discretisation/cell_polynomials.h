@@ -12,9 +12,9 @@
 
 namespace Crevasse
 {
-  /** From the values at the points of a cell to the coefficients of the nearest
+  /** Matrices from values at points of a cell to coefficients of the nearest
    * polynomial, for each rule of a space.
-   * @param fe with one component. */
+   * @param fe Element with one component. */
   template <int dim>
   std::vector<dealii::FullMatrix<double>>
   fitting_matrices(const dealii::FiniteElement<dim> &fe,
@@ -30,7 +30,7 @@ namespace Crevasse
     return matrices;
   }
 
-  /** The same cell of another mesh with the same cells, with its dofs. */
+  /** Cell of a DoFHandler that has this id in an equal mesh. */
   template <int dim>
   typename dealii::DoFHandler<dim>::cell_iterator
   same_cell(const dealii::CellId          &name,
@@ -42,11 +42,11 @@ namespace Crevasse
   }
 
   /**
-   * Fields at quadrature points as one polynomial a cell, of the degree of the
-   * displacement in each direction: the one through the values where Gauss's
-   * rule has as many points as it has coefficients, else the nearest one, with
-   * the weights of the rule. What is at the points can be differentiated then,
-   * seen from the faces, and given to other cells.
+   * Fields at quadrature points as a polynomial in each cell, of the degree of
+   * the displacement in each direction: it interpolates the values where
+   * Gauss's rule has as many points as the polynomial has coefficients, else it
+   * is the nearest one with the weights of the rule. Polynomials can be
+   * differentiated, evaluated on faces, and transferred to other cells.
    */
   template <int dim>
   class CellPolynomials
@@ -54,7 +54,7 @@ namespace Crevasse
   public:
     static constexpr unsigned int n_components = n_stress_components<dim>;
 
-    /** @param mesh that must outlive this object, but may be refined. */
+    /** @param mesh Must outlive this object, but may be refined. */
     CellPolynomials(const Mesh<dim> &mesh, const unsigned int degree)
       : dof_handler(mesh)
       , fe(dealii::FE_DGQ<dim>(degree), n_components)
@@ -62,18 +62,18 @@ namespace Crevasse
       distribute();
     }
 
-    /** Numbers the coefficients, again after a change of the mesh. */
+    /** Numbers the coefficients; also call this after a change of the mesh. */
     void
     distribute()
     {
       dof_handler.distribute_dofs(fe);
     }
 
-    /** Of the coefficients of one vector at a point; their components are those
-     * of a QuadratureField. */
+    /** Numbering of the coefficients of one Voigt vector at a point, with the
+     * components of a QuadratureField. */
     dealii::DoFHandler<dim> dof_handler;
 
-    /** A vector of coefficients, with those of the ghost cells. */
+    /** Vector of zero coefficients, with those of the ghost cells. */
     Vector
     coefficients() const
     {
@@ -82,7 +82,7 @@ namespace Crevasse
 
     /** Fits the values of one branch, and sets ghost values. Collective.
      *
-     * @param n_branches, branch see QuadratureField::initialize(). */
+     * @param n_branches, branch See QuadratureField::initialize(). */
     void
     fit(const Space<dim>           &space,
         const QuadratureField<dim> &points,
@@ -112,8 +112,8 @@ namespace Crevasse
       coefficients.update_ghost_values();
     }
 
-    /** The values of the polynomials at the points, for one branch. The space
-     * may be on another mesh with the same cells on each rank. */
+    /** Evaluates the polynomials at the points, for one branch. The space may
+     * be on another mesh with the same cells on each rank. */
     void
     evaluate(const Space<dim>           &space,
              const QuadratureField<dim> &points,

@@ -10,12 +10,12 @@
 
 namespace Crevasse
 {
-  /** Shape functions at the points of each cell's own quadrature rule. */
+  /** Shape functions at the points of each cell's quadrature rule. */
   template <int dim>
   class CellValues
   {
   public:
-    /** @param space must outlive this object. */
+    /** @param space Must outlive the CellValues. */
     CellValues(const Space<dim> &space, const dealii::UpdateFlags flags)
       : space(space)
       , mapping(space.mapping)
@@ -24,7 +24,7 @@ namespace Crevasse
     {
     }
 
-    /** Valid until the next call. */
+    /** Values of a cell, valid until the next call. */
     const dealii::FEValues<dim> &
     reinit(const typename dealii::DoFHandler<dim>::active_cell_iterator &cell)
     {
@@ -39,8 +39,8 @@ namespace Crevasse
     dealii::hp::FEValues<dim>                values;
   };
 
-  /** Calls f(values, q, p) for point q of each cell of this rank, which is
-   * point p of all in a QuadratureField. */
+  /** Calls f(values, q, p) for point q of each cell of this rank, where p is
+   * the number of the point in a QuadratureField. */
   template <int dim, typename Function>
   void
   for_each_point(const Space<dim>         &space,

@@ -9,29 +9,29 @@
 
 namespace Crevasse
 {
-  /** A mesh all of whose cells are one level coarser than those of a finer one,
-   * where that has all children of a cell. */
+  /** A mesh made from a finer one by replacing all children of a cell by this
+   * cell, wherever possible. */
   template <int dim>
   struct CoarserMesh
   {
     std::shared_ptr<const Mesh<dim>> mesh;
 
-    /** By active cell index, for locally owned cells: the global active cell
-     * indices in the finer mesh of the children, or of the same cell. */
+    /** Global active cell indices, in the finer mesh, of the children of each
+     * locally owned cell, or of the cell itself; by active cell index. */
     std::vector<std::vector<dealii::types::global_cell_index>> children;
   };
 
   /**
-   * The meshes that repeated coarsening leads to, from fine to coarse: as far
-   * as one has at most @p enough cells or nothing can be coarsened any more.
-   * Each is partitioned for itself. Collective.
+   * Meshes by repeated coarsening, from fine to coarse, until one has at most
+   * @p enough cells or nothing can be coarsened. Each has its own partition.
+   * Collective.
    */
   template <int dim>
   std::vector<CoarserMesh<dim>>
   coarser_meshes(const Mesh<dim> &mesh, const std::size_t enough);
 
-  /** For each active cell of this rank, by active cell index, the mean of the
-   * values at its points; 0 for the cells of other ranks. */
+  /** Mean of values over the points of each active cell of this rank, by active
+   * cell index; 0 for the cells of other ranks. */
   template <int dim, typename Value>
   std::vector<Value>
   cell_means(const Space<dim>           &space,
@@ -50,7 +50,7 @@ namespace Crevasse
     return means;
   }
 
-  /** The same on a coarser mesh: means over children. Collective. */
+  /** Cell means on a coarser mesh: means over children. Collective. */
   template <int dim>
   std::vector<VoigtMatrix<dim>>
   means_over_children(const Mesh<dim>                     &finer,

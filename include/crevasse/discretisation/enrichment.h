@@ -11,35 +11,35 @@
 namespace Crevasse
 {
   /**
-   * What singular functions add to the strain operator: their strains at all
-   * points, stored, and the cells near the tip, whose many points are none of
-   * CellLoops and whose shape functions are stored.
+   * Part of the strain operator for singular functions: their strains at all
+   * points, stored, and the special cells near the tip, which have many points,
+   * are not in CellLoops, and whose shape functions are stored.
    *
-   * It keeps the nodal part and the coefficients of the displacement that is
-   * read, or those of the force that is gathered.
+   * Keeps the nodal part and the coefficients of the displacement that is read,
+   * or of the force that is gathered.
    */
   class Enrichment
   {
   public:
-    /** @param space must outlive this object. */
+    /** Computes the strains of singular functions. @p space must stay alive. */
     Enrichment(const Space<2> &space, const QuadratureField<2> &points);
 
-    /** Takes a displacement with set ghost values apart. */
+    /** Splits a displacement with ghosts into nodal part and coefficients. */
     void
     read(const Vector &displacement);
 
-    /** The values at the nodes that were read, or the forces there. */
+    /** Displacement read at the nodes, or force at the nodes. */
     Vector &
     nodal_part()
     {
       return nodal;
     }
 
-    /** Σ c_k Dφ_k for the coefficients that were read. */
+    /** Strain Σ c_k Dφ_k for the coefficients that were read. */
     VoigtVector<2>
     strain(const std::size_t offset) const;
 
-    /** Begins with forces of zero. */
+    /** Sets nodal forces and forces on coefficients to zero. */
     void
     begin_transpose();
 
@@ -47,11 +47,11 @@ namespace Crevasse
     void
     add_stress(const std::size_t offset, const VoigtVector<2> &stress);
 
-    /** Adds the forces gathered to @p force, and compresses it. */
+    /** Adds the gathered forces to @p force, and compresses it. */
     void
     end_transpose(Vector &force);
 
-    /** The strain of the nodal part in the special cells: calls
+    /** Computes the strain of the nodal part in the special cells: calls
      * `f(offset, strain)`. */
     template <typename Function>
     void
@@ -63,25 +63,25 @@ namespace Crevasse
     add_special_transpose(const Function &stress_at);
 
   private:
-    /** A cell whose rule is not that of most cells. */
+    /** A cell near the tip with a quadrature rule other than the first. */
     struct SpecialCell
     {
       std::size_t                                  offset;
       std::vector<dealii::types::global_dof_index> indices;
-      /** Of each point: its weight and, for each dof, the gradient. */
+      /** Weight of each point and, for each point and dof, the gradient. */
       std::vector<double>               weights;
       std::vector<dealii::Tensor<1, 2>> gradients;
     };
 
     const Space<2>           &space;
-    std::vector<unsigned int> components; ///< of the dofs of a cell
+    std::vector<unsigned int> components; ///< components of the dofs of a cell
     std::vector<SpecialCell>  special_cells;
-    std::vector<std::vector<VoigtVector<2>>> strains; ///< of φ_k, by point
-    std::vector<double>                      weights; ///< of the points
+    std::vector<std::vector<VoigtVector<2>>> strains; ///< strains of φ_k
+    std::vector<double>                      weights; ///< quadrature weights
 
     std::vector<double> coefficients;
 
-    Vector              nodal; ///< with the layout of CellLoops' vectors
+    Vector              nodal; ///< layout of CellLoops
     std::vector<double> local_values;
   };
 

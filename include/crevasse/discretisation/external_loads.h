@@ -13,33 +13,33 @@ namespace Crevasse
   template <int dim>
   class StrainOperator;
 
-  /** The components of forces in the volume that are not zero. */
+  /** Non-zero components of forces in the volume. */
   std::vector<std::pair<unsigned int, Expression>>
   components_in_volume(const LoadParameters &parameters);
 
   /**
-   * The load vector ∫ φ₁·v + ∫_∂₃ φ₂·v as a function of time. What can be
-   * integrated once is: a component that is a function of time alone becomes
-   * its amplitude times a stored vector, one that does not depend on time a
-   * constant vector. Only a component that mixes space and time is evaluated
-   * at its quadrature points at each instant, whose weights are stored.
+   * Load vector ∫ φ₁·v + ∫_∂₃ φ₂·v as a function of time. Integrals are
+   * computed once where possible: a component that depends on time alone is its
+   * amplitude times a stored vector, and one that does not depend on time a
+   * constant vector. Only a component of space and time is evaluated at
+   * quadrature points, with stored weights, at each instant.
    */
   template <int dim>
   class ExternalLoads
   {
   public:
-    /** @param space must outlive this object. */
+    /** Integrates the loads. @param space Must outlive this object. */
     ExternalLoads(const Space<dim>          &space,
                   const StrainOperator<dim> &strain_operator,
                   const LoadParameters      &parameters);
 
-    /** Collective. @param t instant within the period, 0 ≤ t < Period.
+    /** Loads at @p t, 0 ≤ t < Period, within the period. Collective.
      * @throw SceneError if a formula has no finite value. */
     void
     evaluate(const double t, Vector &loads) const;
 
-    /** Looks whether all formulas have a value at the given instants, so that
-     * a run does not find out. Collective.
+    /** Checks before a run that all formulas have values at the given instants.
+     * Collective.
      * @throw SceneError with the point and the instant. */
     void
     validate_and_bound(const std::vector<double> &instants) const
@@ -49,8 +49,8 @@ namespace Crevasse
         evaluate(t, loads);
     }
 
-    /** The mean of the loads divided by a function of time over a period,
-     * to rounding: see period_mean(). Collective. */
+    /** Mean over a period of the loads divided by a function of time, to
+     * rounding: see period_mean(). Collective. */
     void
     mean(const std::function<double(const double t)> &divisor,
          const double                                 period,
@@ -69,21 +69,21 @@ namespace Crevasse
                           const bool         in_volume,
                           const Function    &f);
 
-    /** f(t) times the integrals of the shape functions. */
+    /** Load f(t) times integrals of shape functions. */
     struct Amplitude
     {
       Expression factor;
       Vector     integrals;
     };
 
-    /** A quadrature point and the unknowns that it feeds. */
+    /** A quadrature point, and unknowns with their weights. */
     struct WeightedPoint
     {
       dealii::Point<dim> point;
       Weights            weights;
     };
 
-    /** f(x,t) at the points of its support. */
+    /** Load f(x,t) at the points where it acts. */
     struct Density
     {
       Expression                 value;
@@ -98,8 +98,8 @@ namespace Crevasse
         const Space<dim>          &space,
         const StrainOperator<dim> &strain_operator);
 
-    /** The load vector whose formulas have the values f(formula, point), and
-     * what is constant f(nullptr, point). Collective. */
+    /** Integrates the load vector with values f(formula, point) of formulas,
+     * and the factor f(nullptr, point) of the constant part. Collective. */
     template <typename Function>
     void
     integrate(const Function &f, Vector &loads) const;

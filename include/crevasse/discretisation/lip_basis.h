@@ -12,15 +12,15 @@
 namespace Crevasse
 {
   /**
-   * The nodes of the lips, and a basis in which the opening of each is an
+   * Nodes of the lips, and a basis in which the opening of each node is an
    * unknown, so that contact bounds single unknowns.
    *
-   * The opening is n·(u⁺ − u⁻), or n·u before a rigid plane. If it is a degree
-   * of freedom, nothing changes. Else it becomes one of OpeningUnknowns.
-   * Constraints say so, and nothing else has to know.
+   * The opening is n·(u⁺ − u⁻), or n·u at a rigid plane. If it is not a degree
+   * of freedom, it becomes one of OpeningUnknowns. Constraints express this, so
+   * that no other code needs to know.
    *
-   * All ranks know all of it, so that none needs the other lip's cells, and it
-   * does not depend on their number.
+   * All ranks know the whole basis, so that none needs the cells at the other
+   * lip, and it does not depend on the number of ranks.
    */
   template <int dim>
   class LipBasis : public OpeningUnknowns
@@ -29,24 +29,24 @@ namespace Crevasse
     struct Node
     {
       dealii::Point<dim>     point;
-      dealii::Tensor<1, dim> normal; ///< unit, into the body of the first side
-      /** The first degrees of freedom on both sides; the same twice at a tip,
-       * the second invalid before a rigid plane. */
+      dealii::Tensor<1, dim> normal; ///< unit normal into the first side's body
+      /** First degrees of freedom on both sides; equal at a tip, the second
+       * invalid at a rigid plane. */
       std::array<Index, 2> sides;
-      /** Opening = sign × this unknown; invalid: the node is held by supports,
-       * shared by both lips, or hangs between others. */
+      /** Unknown: opening = sign × unknown. Invalid if the node is fixed by
+       * supports, shared by both lips, or a hanging node. */
       Index  unknown = dealii::numbers::invalid_dof_index;
       double sign    = 1.;
       /** Contact force under a uniform pressure 1: the part of ∫φ n along the
-       * normal, with the share of hanging nodes; at a kink it is less than ∫φ.
-       * 0 if the node has no unknown, or if this is too little for its force to
-       * tell a pressure, as for quadratic φ on an axis. */
+       * normal, with the share of hanging nodes; less than ∫φ at a kink. 0 if
+       * the node has no unknown, or if the weight is too small to compute a
+       * pressure from the force, as for quadratic φ on an axis. */
       double weight = 0.;
-      /** ∫φ over one lip, with the shares of the nodes that take their pressure
-       * from this one. */
+      /** Area ∫φ over one lip, with the shares of nodes that take their
+       * pressure from this node. */
       double area = 0.;
-      /** The nodes whose pressures a node without weight takes, by their
-       * numbers, with factors. */
+      /** Numbers and factors of the nodes whose pressures a node without weight
+       * takes. */
       std::vector<std::pair<unsigned int, double>> masters;
 
       bool
@@ -55,8 +55,8 @@ namespace Crevasse
         return unknown != dealii::numbers::invalid_dof_index;
       }
 
-      /** The component whose direction is nearest to the normal, the first of
-       * equals: rounding must not decide, nor the mesh. */
+      /** Component whose direction is nearest to the normal; the first of
+       * equals, so that neither rounding nor mesh decides. */
       unsigned int
       component() const
       {
@@ -73,9 +73,9 @@ namespace Crevasse
     /**
      * Collective.
      *
-     * @param supports the constraints of supports and hanging nodes, closed.
-     * @throw SceneError if a face of a crack has no partner, or an opening is
-     * not independent of others.
+     * @param supports Closed constraints of supports and hanging nodes.
+     * @throw SceneError if a face of a crack has no partner, or an opening
+     * depends on others.
      */
     LipBasis(const Space<dim>                        &space,
              const dealii::AffineConstraints<double> &supports);
@@ -88,31 +88,31 @@ namespace Crevasse
     Surroundings
     collect_nodes(const std::vector<LipFace<dim>> &faces);
 
-    /** The number of the node on these sides, new or not. @param inward of the
-     * face, whose sign it changes if the sides come the other way. */
+    /** Number of the node on these sides; adds it if new. @param inward Inward
+     * normal of the face, reversed if the sides are swapped. */
     unsigned int
     node_number(const typename LipFace<dim>::Node &node,
                 const Index                        other_side,
                 dealii::Tensor<1, dim>            &inward,
                 Surroundings                      &surroundings);
 
-    /** The supports at the nodes, on all ranks. */
+    /** Constraints of supports at the nodes, on all ranks. */
     Meanings
     gather_supports(const Space<dim>                        &space,
                     const dealii::AffineConstraints<double> &supports) const;
 
-    /** Whether it hangs between other nodes; then these are its masters. */
+    /** Whether a node is a hanging node; then sets its masters. */
     bool
     hangs(Node &node, const Surroundings &surroundings) const;
 
     void
     make_opening(Node &node, const Meanings &supported);
 
-    /** Hanging nodes hand their loads on, which makes the weights. */
+    /** Sets the weights of nodes, with the loads of hanging nodes. */
     void
     set_weights(Surroundings &surroundings);
 
-    /** For nodes without weight. */
+    /** Chooses masters of nodes without weight. */
     void
     choose_masters(const Surroundings &surroundings);
   };

@@ -16,18 +16,18 @@ namespace Crevasse
   template <int dim>
   class Space;
 
-  /** A face of the lips, with what its nodes contribute to them. */
+  /** A face of the lips, with the contributions of its nodes. */
   template <int dim>
   struct LipFace
   {
     struct Node
     {
-      dealii::types::global_dof_index first; ///< of its degrees of freedom
+      dealii::types::global_dof_index first; ///< first degree of freedom
       dealii::Point<dim>              point;
-      double                          area; ///< ∫φ over the face
-      dealii::Tensor<1, dim>          load; ///< ∫φ n, into the body
-      /** The load or, on an axis, where that vanishes for quadratic φ, what it
-       * is without the factor r. */
+      double                          area; ///< area ∫φ over the face
+      dealii::Tensor<1, dim>          load; ///< load ∫φ n, n into the body
+      /** Load or, on an axis, where it vanishes for quadratic φ, the load
+       * without the factor r. */
       dealii::Tensor<1, dim> inward;
 
       template <typename Archive>
@@ -38,12 +38,12 @@ namespace Crevasse
       }
     };
 
-    /** That of the cell and the number of the face, which do not depend on how
-     * many ranks there are. */
+    /** Id of the cell and number of the face, which do not depend on the number
+     * of ranks. */
     std::array<unsigned int, 5> id;
     dealii::Point<dim>          centre;
     double                      size;
-    bool                        is_crack; ///< it has a partner
+    bool                        is_crack; ///< whether it has a partner
     std::vector<Node>           nodes;
 
     template <typename Archive>
@@ -53,7 +53,7 @@ namespace Crevasse
       archive &id &centre &size &is_crack &nodes;
     }
 
-    /** The node at a place, or null. */
+    /** Node at a point, or null. */
     const Node *
     node_at(const dealii::Point<dim> &point) const
     {
@@ -63,25 +63,25 @@ namespace Crevasse
       return nullptr;
     }
 
-    /** Of the size of a face: as exact as coordinates in files are. */
+    /** Tolerance of coordinates in files, relative to the size of a face. */
     static constexpr double tolerance = 1e-6;
   };
 
-  /** The lip's active faces of all ranks, in the order of their ids.
+  /** Active faces of the lips on all ranks, in the order of their ids.
    * Collective. */
   template <int dim>
   std::vector<LipFace<dim>>
   find_lip_faces(const Space<dim> &space);
 
-  /** Which of the points are at the same place: for each the number of its
-   * partner, its own if it has none.
-   * @param sizes within a millionth of which places are the same. */
+  /** Pairs of coinciding points: for each point the number of its partner, or
+   * its own if there is none.
+   * @param sizes Sizes within a millionth of which points coincide. */
   template <int dim>
   std::vector<unsigned int>
   find_partners(const std::vector<dealii::Point<dim>> &points,
                 const std::vector<double>             &sizes);
 
-  /** For an error: that the face at this place has no partner. */
+  /** Message for a face without a partner. */
   template <int dim>
   std::string
   describe_unmatched(const dealii::Point<dim> &centre);

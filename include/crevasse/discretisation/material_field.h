@@ -15,7 +15,7 @@
 
 namespace Crevasse
 {
-  /** The material at the quadrature points at one instant: see MaxwellLaw. */
+  /** Material at the quadrature points at one instant: see MaxwellLaw. */
   template <int dim>
   struct MaterialState
   {
@@ -27,24 +27,23 @@ namespace Crevasse
     double                                       spring = 1.; ///< 1 − Σ wᵢ
     std::vector<std::shared_ptr<const Matrices>> fluidity;    ///< Hᵢ
     std::shared_ptr<const PointValues<CreepPower<dim>>>
-      creep_power; ///< null: the fluidity does not depend on the stress
-    std::shared_ptr<const Vectors>
-      thermal_strain; ///< f, such as χθ; null: none
+                                   creep_power;    ///< null: linear creep
+    std::shared_ptr<const Vectors> thermal_strain; ///< f, such as χθ, or null
 
-    /** Whether stiffness and viscosity have no 33 row. */
+    /** Whether stiffness and viscosity have no row 33. */
     bool plane_stress = false;
 
     double stiffness_factor = 1.; ///< k
     double viscosity_factor = 1.; ///< η₀
 
-    /** κ of the AlgorithmicModuli for a time c. */
+    /** Coefficient κ of the AlgorithmicModuli for a time c. */
     double
     kappa(const double c) const
     {
       return c * stiffness_factor / viscosity_factor;
     }
 
-    /** The rate of a power law. */
+    /** Creep rate of a power law. */
     VoigtVector<dim>
     creep_rate(const std::size_t point, const VoigtVector<dim> &stress) const
     {
@@ -52,8 +51,8 @@ namespace Crevasse
              ((*fluidity[0])[point] * stress);
     }
 
-    /** Whether this is one Maxwell body, the same everywhere and without
-     * thermal strain, the case that deserves the shortest loops. */
+    /** Whether the material is one uniform Maxwell body without thermal strain,
+     * the case for the shortest loops. */
     bool
     is_plain() const
     {
@@ -63,46 +62,46 @@ namespace Crevasse
     }
   };
 
-  /** Of all points, branches and instants. */
+  /** Extreme relaxation times of all points, branches and instants. */
   struct RelaxationTimes
   {
-    double smallest, largest; ///< infinite if nothing relaxes
+    double smallest, largest; ///< infinite if no stress relaxes
 
-    /** Of what relaxes slowest over a period, or more: the inverse of the mean
-     * over the period of the least rate of each instant; infinite if nothing
-     * relaxes. */
+    /** Upper bound of the slowest relaxation time over a period: the inverse of
+     * the mean over the period of the least rate of each instant; infinite if
+     * nothing relaxes. */
     double longest_in_mean;
 
-    double mean_fluidity_factor; ///< mean over the period of 1/η₀, or less
-    bool   all;                  ///< whether all parts of the stress relax
+    double mean_fluidity_factor; ///< lower bound of the mean of 1/η₀
+    bool   all;                  ///< whether all stress relaxes
 
-    /** The largest exponent of creep, of which the stress alone tells the
-     * rates; 1 where it is linear. */
+    /** Largest creep exponent; 1 for linear creep. For larger exponents, the
+     * stress determines the rates. */
     double creep_exponent = 1.;
   };
 
   /**
-   * The law of the material at the quadrature points of a body. What does not
-   * depend on time is evaluated once and shared by the states of all instants;
-   * what does not depend on space is one value.
+   * Material law at the quadrature points of a body. Parts that do not depend
+   * on time are evaluated once and shared by the states of all instants; parts
+   * that do not depend on space are one value.
    */
   template <int dim>
   class MaterialField
   {
   public:
-    /** Collective. All arguments must outlive this object. */
+    /** Evaluates constant parts. Collective. All arguments must outlive it. */
     MaterialField(const Space<dim>           &space,
                   const QuadratureField<dim> &points,
                   const MaxwellLaw<dim>      &law,
                   const Temperature<dim>     &temperature);
 
-    /** The state at an instant of the period. Collective if it depends on
-     * time. @throw SceneError if a formula or table has no value, or one that a
-     * material cannot have, with the point and the instant. */
+    /** State of the material at an instant of the period. Collective if it
+     * depends on time. @throw SceneError with the point and the instant if a
+     * formula or table has no value, or one that a material cannot have. */
     MaterialState<dim>
     at(const double t) const;
 
-    /** Brings the factors k and η₀ of a state to another instant.
+    /** Sets the factors k and η₀ of a state for another instant.
      * @throw SceneError if one is not positive. */
     void
     set_factors(const double t, MaterialState<dim> &state) const
@@ -111,41 +110,41 @@ namespace Crevasse
       state.viscosity_factor = law.viscosity_factor(t);
     }
 
-    // What depends on time, besides the factors.
+    // Properties that depend on time, besides the factors.
     bool stiffness_varies;
     bool fluidity_varies       = false;
     bool thermal_strain_varies = false;
 
     bool has_thermal_strain;
 
-    /** A number for each cell of this rank, from 0 on: that of its material, as
-     * the mesh file and, where formulas are constant in most cells, the moduli
-     * at t = 0 tell. Fields may jump between cells with different numbers.
-     * Materials that meet nowhere, nor a third one, may share a number: there
-     * are few numbers, however many materials. Collective.
+    /** Material number of each cell of this rank, from 0 on, by the mesh file
+     * and, where formulas are constant in most cells, by the moduli at t = 0.
+     * Fields may jump between cells with different numbers. Materials that
+     * neither meet nor have a common neighbour may share a number: there are
+     * few numbers for any number of materials. Collective.
      * @return by active cell index. */
     std::vector<unsigned int>
     materials_of_cells(const Space<dim>           &space,
                        const QuadratureField<dim> &points) const;
 
-    /** Bytes of what a state has besides that which does not vary. */
+    /** Bytes of the time-dependent parts of a state. */
     std::size_t
     memory_of_variation(const MaterialState<dim> &state) const;
 
     /**
-     * The extreme relaxation times of all points and the given instants,
-     * infinite for an elastic body. Collective.
+     * Extreme relaxation times of all points and the given instants, infinite
+     * for an elastic body. Collective.
      *
-     * @param instants of one period, in their order.
-     * @param period in units of time.
+     * @param instants Instants of one period, ascending.
+     * @param period Length of the period.
      * @throw SceneError like at().
      */
     RelaxationTimes
     relaxation_times(const std::vector<double> &instants,
                      const double               period) const;
 
-    /** The largest magnitude among the components of thermal strain at all
-     * points and the given instants; 0 if there is none. Collective. */
+    /** Largest magnitude of the components of thermal strain at all points and
+     * the given instants; 0 without thermal strain. Collective. */
     double
     largest_thermal_strain(const std::vector<double> &instants) const;
 
@@ -184,7 +183,7 @@ namespace Crevasse
                          });
     }
 
-    /** Where and in which material a point lies, and its temperature. */
+    /** Location, material and temperature of a point. */
     Place<dim>
     place(const std::size_t point,
           const double      t,
@@ -209,7 +208,7 @@ namespace Crevasse
     std::shared_ptr<const Vectors>
     evaluate_thermal_strain(const double t) const;
 
-    /** Of the stiffness and fluidity of this state. */
+    /** Creep power from the stiffness and fluidity of a state. */
     std::shared_ptr<const PointValues<CreepPower<dim>>>
     evaluate_creep_power(const MaterialState<dim> &state, const double t) const;
 
@@ -219,15 +218,15 @@ namespace Crevasse
     const MPI_Comm                        communicator;
     const MaxwellLaw<dim>                &law;
     const Temperature<dim>               &temperature;
-    const std::vector<const FreeStrain *> free_strains; ///< not 0
+    const std::vector<const FreeStrain *> free_strains; ///< non-zero ones
 
-    // Whether these depend on time.
-    std::vector<bool> fluidity_is_free; ///< of each branch
+    // Flags of properties that depend on time.
+    std::vector<bool> fluidity_is_free; ///< fluidity of each branch
 
     std::size_t                     n_points;
-    std::vector<dealii::Point<dim>> locations; ///< empty if of no importance
-    std::vector<unsigned int>       materials; ///< likewise
-    MaterialState<dim>              constant;  ///< what does not vary
+    std::vector<dealii::Point<dim>> locations; ///< empty if not needed
+    std::vector<unsigned int>       materials; ///< empty if not needed
+    MaterialState<dim>              constant;  ///< constant properties
   };
 } // namespace Crevasse
 

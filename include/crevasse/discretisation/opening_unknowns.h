@@ -15,19 +15,19 @@
 namespace Crevasse
 {
   /**
-   * A basis in which linear functions of the degrees of freedom are unknowns.
-   * The k degrees of freedom u of a function a·u become a linear combination of
-   * k unknowns numbered after all degrees of freedom: Householder's reflection
-   * with a/|a| as one column, scaled so that its unknown is a·u. Where
-   * functions share degrees of freedom, the later ones combine what the former
-   * ones left.
+   * Basis in which linear functions of the degrees of freedom are unknowns. The
+   * k degrees of freedom u of a function a·u become a linear combination of k
+   * unknowns numbered after all degrees of freedom: Householder's reflection
+   * with a/|a| as one column, scaled so that its unknown is a·u. If functions
+   * share degrees of freedom, a later function combines the unknowns of the
+   * earlier ones.
    */
   class OpeningUnknowns
   {
   public:
     using Index   = dealii::types::global_dof_index;
     using Weights = std::vector<std::pair<Index, double>>;
-    /** What indices stand for. */
+    /** Linear combinations that indices represent. */
     using Meanings = std::map<Index, Weights>;
 
     explicit OpeningUnknowns(const Index n_dofs = 0)
@@ -35,16 +35,16 @@ namespace Crevasse
     {
     }
 
-    /** How many unknowns there are after the degrees of freedom. */
+    /** Number of unknowns after the degrees of freedom. */
     Index n_unknowns = 0;
 
-    /** What degrees of freedom are of the unknowns. */
+    /** Degrees of freedom as linear combinations of the unknowns. */
     Meanings combinations;
 
-    /** The inverse: what the unknowns are of the degrees of freedom. */
+    /** Unknowns as linear combinations of the degrees of freedom. */
     Meanings functionals;
 
-    /** Adds a weight times what an index stands for, or times the index. */
+    /** Adds a weight times the meaning of an index, or times the index. */
     static void
     add_expanded(const Index     index,
                  const double    weight,
@@ -52,21 +52,21 @@ namespace Crevasse
                  Weights        &sum);
 
   protected:
-    /** The unknown that is this function of degrees of freedom, till all are
-     * numbered anew; none for nothing. If a degree of freedom is the function,
-     * times ±1, and @p may_be_dof, it stays the unknown.
-     * @return besides, the sign; nothing if the function depends on former ones
-     * alone, so that it cannot be an unknown. */
+    /** Makes a function of degrees of freedom an unknown, with a preliminary
+     * number; invalid for an empty function. If the function is ± a degree of
+     * freedom, and @p may_be_dof, this stays the unknown.
+     * @return the unknown and its sign; no value if the function depends on
+     * earlier functions, so that it cannot be an unknown. */
     std::optional<std::pair<Index, double>>
     make_unknown(const Weights &function, const bool may_be_dof);
 
-    /** Without those that later ones replaced.
-     * @return the new numbers of the others. */
+    /** Numbers the unknowns that later ones did not replace.
+     * @return their new numbers by their preliminary numbers. */
     std::map<Index, Index>
     number_unknowns();
 
   private:
-    /** By what is not replaced: that of former functions, and the rest. */
+    /** Splits a function into unknowns of earlier functions and the rest. */
     std::pair<Weights, Weights>
     split(const Weights &function) const;
 
@@ -74,7 +74,7 @@ namespace Crevasse
     combine(const Weights &former, const Weights &rest);
 
     Index           n_dofs;
-    std::set<Index> made; ///< the functions' unknowns
+    std::set<Index> made; ///< unknowns of functions
   };
 } // namespace Crevasse
 

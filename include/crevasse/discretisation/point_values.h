@@ -13,27 +13,27 @@
 
 namespace Crevasse
 {
-  /** A value for each quadrature point of this rank, stored once where points
-   * share it: one matrix for a homogeneous body, two for two materials. */
+  /** Values at the quadrature points of this rank; a value that points share is
+   * stored once: one matrix for a homogeneous body, two for two materials. */
   template <typename Value>
   class PointValues
   {
   public:
-    /** The same value everywhere. */
+    /** Makes the same value for all points. */
     explicit PointValues(const Value &value)
       : values(1, value)
       , uniform(true)
     {
     }
 
-    /** Each point has its own. */
+    /** Makes a separate value for each point. */
     explicit PointValues(std::vector<Value> &&values)
       : values(std::move(values))
       , uniform(false)
     {
     }
 
-    /** For point p the value @p which[p]. */
+    /** Makes shared values: point p has the value number @p which[p]. */
     PointValues(std::vector<Value> &&values, std::vector<std::uint32_t> &&which)
       : values(std::move(values))
       , which(std::move(which))
@@ -53,21 +53,21 @@ namespace Crevasse
       return uniform;
     }
 
-    /** The values that occur, in no particular order. */
+    /** Distinct values, in no particular order. */
     const std::vector<Value> &
     distinct() const
     {
       return values;
     }
 
-    /** Which of these a point has. */
+    /** Number of a point's value in distinct(). */
     std::size_t
     index(const std::size_t point) const
     {
       return uniform ? 0 : (which.empty() ? point : which[point]);
     }
 
-    /** Whether each point has its own value. */
+    /** Whether each point has a separate value. */
     bool
     is_individual() const
     {
@@ -83,11 +83,11 @@ namespace Crevasse
 
   private:
     std::vector<Value>         values;
-    std::vector<std::uint32_t> which;   ///< empty: one for all or for each
+    std::vector<std::uint32_t> which;   ///< empty if uniform or individual
     bool                       uniform; ///< also on a rank without points
   };
 
-  /** f(value) at each of n_points points, computed once where it is shared. */
+  /** Values f(value) at each of n_points points, computed once if shared. */
   template <typename Value, typename Function>
   auto
   transform(const PointValues<Value> &values,
@@ -109,8 +109,8 @@ namespace Crevasse
     return PointValues<Result>(std::move(results), std::move(which));
   }
 
-  /** f(a, b) at each of n_points points, computed once for each pair that
-   * points share. */
+  /** Values f(a, b) at each of n_points points, computed once for each shared
+   * pair. */
   template <typename A, typename B, typename Function>
   auto
   combine(const PointValues<A> &a,
@@ -143,7 +143,7 @@ namespace Crevasse
     return PointValues<Result>(std::move(results), std::move(which));
   }
 
-  /** The sum at each point. */
+  /** Sum of two values at each point. */
   template <typename Value>
   PointValues<Value>
   add(const PointValues<Value> &a,

@@ -16,13 +16,12 @@ namespace Crevasse
    *
    *     u_X = r^p Σ aᵢ cos(mᵢθ − δ),      u_Y = r^p Σ bᵢ sin(mᵢθ − δ)
    *
-   * Its gradient is singular at the tip for p < 1 and must not be asked for
-   * there.
+   * Its gradient is singular at the tip for p < 1; do not evaluate it there.
    */
   class PolarField
   {
   public:
-    /** (mᵢ, aᵢ, bᵢ) */
+    /** Term of the sums: mᵢ, aᵢ, bᵢ. */
     struct Term
     {
       double frequency, cosine, sine;
@@ -40,7 +39,7 @@ namespace Crevasse
     dealii::Tensor<1, 2>
     displacement(const dealii::Point<2> &local) const;
 
-    /** ∂u_i/∂X_j */
+    /** Gradient ∂u_i/∂X_j. */
     dealii::Tensor<2, 2>
     gradient(const dealii::Point<2> &local) const;
 
@@ -67,9 +66,9 @@ namespace Crevasse
    *     2μ u_X = r^{n/2} [(κ + n/2 + (−1)ⁿ) cos(nθ/2) − (n/2) cos((n/2 − 2)θ)]
    *     2μ u_Y = r^{n/2} [(κ − n/2 − (−1)ⁿ) sin(nθ/2) + (n/2) sin((n/2 − 2)θ)]
    *
-   * and in mode II with −(−1)ⁿ and δ = π/2. The first one has K = √(2π), the
-   * second one is the stress along the crack; the even ones of mode I and all
-   * of mode II do not open it.
+   * and in mode II with −(−1)ⁿ and δ = π/2. The first term has K = √(2π), the
+   * second one is the stress along the crack; even terms of mode I and all
+   * terms of mode II do not open the crack.
    *
    * @param kappa 3 − 4ν in plane strain, (3 − ν)/(1 + ν) in plane stress.
    */
@@ -78,9 +77,9 @@ namespace Crevasse
                 const double       kappa,
                 const CrackMode    mode = CrackMode::opening);
 
-  /** D: besides the first term of the series the other displacement with √r
-   * that is left of it for any κ: in mode I √r (cos θ/2 (1 + cos θ), sin θ/2
-   * (1 + cos θ)). The lips do not move apart. */
+  /** Displacement D with √r that spans, with the first term of the series, the
+   * terms with √r for all κ: in mode I √r (cos θ/2 (1 + cos θ), sin θ/2 (1 +
+   * cos θ)). The lips do not move apart. */
   PolarField
   square_root_without_jump(const CrackMode mode = CrackMode::opening);
 } // namespace Crevasse

@@ -16,9 +16,9 @@
 namespace Crevasse
 {
   /**
-   * How fields at quadrature points (viscous strain, stress) are laid out: one
+   * Layout of fields at quadrature points (viscous strain, stress): one
    * distributed vector, cell by cell in the order of the active cells of this
-   * rank, the n_stress_components of a point side by side. Integrators, norms
+   * rank, with the n_stress_components of a point adjacent. Integrators, norms
    * and checkpoints see an ordinary vector.
    */
   template <int dim>
@@ -27,8 +27,8 @@ namespace Crevasse
   public:
     static constexpr unsigned int n_components = n_stress_components<dim>;
 
-    /** Collective. @throw SceneError if deal.II's indices are too short for
-     * the numbers of all points. */
+    /** Makes the layout. Collective. @throw SceneError if deal.II's indices are
+     * too short for the numbers of all points. */
     explicit QuadratureField(const Space<dim> &space)
       : offsets(space.mesh().n_active_cells(),
                 dealii::numbers::invalid_unsigned_int)
@@ -46,8 +46,8 @@ namespace Crevasse
     /** Gives @p field this layout, all zero. Collective, and throws as the
      * constructor does.
      *
-     * @param n_branches how many times n_components a point has: the viscous
-     * strain of a chain has those of a branch side by side, at the local index
+     * @param n_branches Number of branches at a point: the viscous strain of a
+     * chain has the components of a branch adjacent, at the local index
      * n_branches × offset + branch × n_components. */
     void
     initialize(Vector &field, const unsigned int n_branches = 1) const
@@ -60,7 +60,7 @@ namespace Crevasse
                            communicator));
     }
 
-    /** Where the first point of a locally owned cell begins, as local index. */
+    /** Local index of the first point of a locally owned cell. */
     std::size_t
     offset(const typename dealii::Triangulation<dim>::active_cell_iterator
              &cell) const
@@ -69,7 +69,7 @@ namespace Crevasse
       return offsets[cell->active_cell_index()];
     }
 
-    /** The number of that point among those of this rank. */
+    /** Number of the first point of a cell among the points of this rank. */
     std::size_t
     first_point(const typename dealii::Triangulation<dim>::active_cell_iterator
                   &cell) const
@@ -77,7 +77,7 @@ namespace Crevasse
       return offset(cell) / n_components;
     }
 
-    /** Points of this rank, and of all ranks. */
+    /** Numbers of points on this rank, and on all ranks. */
     std::size_t n_local_points = 0;
     std::size_t
     n_points() const
@@ -85,7 +85,7 @@ namespace Crevasse
       return partitioner->size() / n_components;
     }
 
-    /** The components that begin at local index @p offset. */
+    /** Components that begin at the local index @p offset. */
     static VoigtVector<dim>
     get(const Vector &field, const std::size_t offset)
     {
@@ -103,8 +103,8 @@ namespace Crevasse
     }
 
   private:
-    /** For so many numbers of this rank. Collective.
-     * @throw SceneError if deal.II's indices cannot count those of all. */
+    /** Partitioner for so many numbers of this rank. Collective.
+     * @throw SceneError if deal.II's indices cannot count all numbers. */
     static std::shared_ptr<dealii::Utilities::MPI::Partitioner>
     make_partitioner(const std::uint64_t n_local, const MPI_Comm communicator)
     {
@@ -123,7 +123,7 @@ namespace Crevasse
         n_local, 0, communicator);
     }
 
-    std::vector<std::size_t> offsets; // by active cell index
+    std::vector<std::size_t> offsets; // offset by active cell index
     const MPI_Comm           communicator;
     std::shared_ptr<dealii::Utilities::MPI::Partitioner> partitioner;
   };

@@ -11,9 +11,9 @@
 namespace Crevasse
 {
   /**
-   * The connected parts of a mesh, each of which may move as a rigid body:
-   * cells that share a face belong to the same part. A motion of all parts has
-   * the coefficient of mode m of part p at the place p n_modes + m.
+   * Connected parts of a mesh, each of which may move as a rigid body: cells
+   * that share a face belong to the same part. A motion of all parts has the
+   * coefficient of mode m of part p at the index p n_modes + m.
    */
   template <int dim>
   class RigidParts
@@ -26,7 +26,7 @@ namespace Crevasse
     const dealii::BoundingBox<dim> body;
     unsigned int                   n_parts;
 
-    /** What coordinates are scaled by, so that modes have unit size. */
+    /** Length that scales coordinates, so that modes have unit size. */
     double
     size() const
     {
@@ -34,7 +34,7 @@ namespace Crevasse
       return corners.first.distance(corners.second);
     }
 
-    /** That of a cell of any level. */
+    /** Number of the part of a cell of any level. */
     unsigned int
     part(typename dealii::Triangulation<dim>::cell_iterator cell) const
     {
@@ -43,15 +43,15 @@ namespace Crevasse
       return of_coarse_cell[cell->index()];
     }
 
-    /** Component @p c at @p x of mode @p m: translations come first, then
-     * rotations in the planes 12, 13, 23 about the middle of the body. */
+    /** Component @p c at @p x of the rigid-body mode @p m: first translations,
+     * then rotations in the planes 12, 13, 23 about the middle of the body. */
     double
     mode(const unsigned int        m,
          const unsigned int        c,
          const dealii::Point<dim> &x) const;
 
-    /** A motion at the degrees of freedom of this rank, without regard to
-     * constraints. */
+    /** Displacement of a motion at the degrees of freedom of this rank,
+     * ignoring constraints. */
     Vector
     displacement(const Space<dim>          &space,
                  const std::vector<double> &motion) const;
@@ -60,9 +60,9 @@ namespace Crevasse
     std::vector<unsigned int> of_coarse_cell;
   };
 
-  /** Translations and infinitesimal rotations as displacement vectors, three in
-   * the plane, six in space: rotations about the middle of the body and of unit
-   * size. Constraints are left out of account. */
+  /** Rigid-body modes as displacement vectors: translations and infinitesimal
+   * rotations about the middle of the body, of unit size, three in the plane,
+   * six in space. Ignores constraints. */
   template <int dim>
   std::vector<Vector>
   rigid_modes(const Space<dim> &space);

@@ -16,39 +16,39 @@ namespace Crevasse
   };
 
   /**
-   * Names the unconstrained rigid-body motions; empty if there are
-   * none, in which case the stiffness is positive definite. Parts of the mesh
-   * that share no face move each on their own, but where they touch in a vertex
-   * it hinges them together. Contact does not count. Collective.
+   * Names the unconstrained rigid-body motions; if there are none, the
+   * stiffness is positive definite. Parts of the mesh that share no face move
+   * independently, but a common vertex hinges them. Contact does not count.
+   * Collective.
    *
-   * @throw SceneError if the mesh falls into more than 300 parts.
+   * @throw SceneError if the mesh has more than 300 parts.
    */
   template <int dim>
   std::vector<std::string>
   find_free_rigid_motions(const Space<dim> &space);
 
   /**
-   * The unconstrained rigid-body motions, each of which opens or closes a lip.
-   * Then the stiffness is positive definite on the displacements that open
-   * nothing, and there is one solution if the loads do negative work on all
-   * motions that open lips only (Fichera's condition). Collective.
+   * Unconstrained rigid-body motions, each of which opens or closes a lip. Then
+   * the stiffness is positive definite on displacements that open nothing, and
+   * there is one solution if the loads do negative work on all motions that
+   * only open lips (Fichera's condition). Collective.
    *
    * @throw NumericalError with the names of motions along which lips slide, or
-   * which move none.
+   * that move no lip.
    */
   template <int dim>
   std::vector<RigidMotion>
   rigid_motions_held_by_contact(const Space<dim> &space);
 
-  /** @param pressed nodes of LipBasis; those of other ranks do not count.
-   * @throw NumericalError with the names of unconstrained motions that open or
-   * close none of these. Collective. */
+  /** Checks that closed nodes hold the body. Collective. @param pressed Flags
+   * of LipBasis nodes; other ranks' do not count. @throw NumericalError that
+   * names unconstrained motions which move no pressed node. */
   template <int dim>
   void
   require_held(const Space<dim> &space, const std::vector<bool> &pressed);
 
-  /** "contact alone holds the body against …", the first of these motions; what
-   * many methods cannot do with. */
+  /** Reason why many methods fail: "contact alone holds the body against …",
+   * with the first of these motions. */
   std::string
   what_contact_holds(const std::vector<RigidMotion> &motions);
 } // namespace Crevasse

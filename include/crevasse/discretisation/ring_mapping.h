@@ -8,9 +8,9 @@
 
 namespace Crevasse
 {
-  /** MappingQ, which for bodies of revolution gives all weights JxW the factor
-   * x₁, the radius: whatever integrates with a space's mapping integrates over
-   * one radian of the body. The one place that knows this. */
+  /** MappingQ that, for bodies of revolution, multiplies all weights JxW by x₁,
+   * the radius: integrals with a space's mapping extend over one radian of the
+   * body. Only this class implements the factor. */
   template <int dim>
   class RingMapping : public dealii::MappingQ<dim>
   {
@@ -50,7 +50,7 @@ namespace Crevasse
                    const Data                              &data,
                    Output &output) const override
     {
-      // Rings of equal cells differ.
+      // Equal cells at different radii have different rings.
       const auto found =
         Base::fill_fe_values(cell,
                              has_axis ? dealii::CellSimilarity::none

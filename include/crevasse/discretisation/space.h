@@ -30,7 +30,7 @@ namespace Crevasse
   template <int dim>
   class CellLoops;
 
-  /** The active cells of this rank, of a mesh or of its dofs. */
+  /** Active cells of this rank, of a mesh or a DoFHandler. */
   template <typename MeshOrDofs>
   auto
   owned_cells(const MeshOrDofs &all)
@@ -39,8 +39,8 @@ namespace Crevasse
            dealii::IteratorFilters::LocallyOwnedCell();
   }
 
-  /** A vector of zeros for the dofs, with ghosts for those of the cells that
-   * this rank sees. */
+  /** Vector of zeros for the dofs, with ghosts for the cells that this rank
+   * sees. */
   template <int dim>
   Vector
   make_vector(const dealii::DoFHandler<dim> &dofs)
@@ -51,26 +51,26 @@ namespace Crevasse
   }
 
   /**
-   * The displacement space: Q1 or Q2 elements on a distributed mesh, with the
+   * Displacement space: Q1 or Q2 elements on a distributed mesh, with the
    * linear constraints of hanging nodes, clamped parts, symmetry planes and
-   * fixed points. Displacement vectors hold zeros in their constrained
-   * entries; constraints.distribute() fills these for output.
+   * fixed points. Displacement vectors hold zeros in their constrained entries;
+   * constraints.distribute() fills these for output.
    *
-   * Displacement vectors end with the unknowns of LipBasis and, where there are
-   * singular functions at the crack tip, with their coefficients. The last rank
-   * owns these; they are unknowns like the others.
+   * Displacement vectors end with the unknowns of LipBasis and the coefficients
+   * of singular functions at the crack tip, if any. The last rank owns these;
+   * they are unknowns like the others.
    */
   template <int dim>
   class Space
   {
   public:
     /**
-     * @throw SceneError with all of it at once, if a role names a boundary id
-     * that no face has, or a fixed point is not a vertex.
+     * @throw SceneError with all problems, if a role names a boundary id that
+     * no face has, or a fixed point is not a vertex.
      *
      * @param volumetric_strain mean with degree 1, and not in plane stress.
-     * @param singular_functions in the plane only.
-     * @param lips_closed whether lips are held closed, for comparison.
+     * @param singular_functions Singular functions, in the plane only.
+     * @param lips_closed Whether lips are kept closed, for comparison.
      */
     Space(std::shared_ptr<const Mesh<dim>>    mesh,
           const unsigned int                  degree,
@@ -80,9 +80,9 @@ namespace Crevasse
           const SingularFunctions &singular_functions = {},
           const bool               lips_closed        = false);
 
-    /** The same, without singular functions, on a coarser mesh of the same
-     * body, for preconditioners. Fixed points that are no vertices there move
-     * to the nearest ones, different points to different vertices. Collective.
+    /** Space without singular functions on a coarser mesh of the same body, for
+     * preconditioners. Fixed points that are no vertices there move to the
+     * nearest vertices, different points to different vertices. Collective.
      *
      * @return null if they do not hold the body there. */
     std::shared_ptr<const Space>
@@ -94,26 +94,26 @@ namespace Crevasse
       return *triangulation;
     }
 
-    // Set by the constructor.
+    // Members set by the constructor.
 
-    /** For another space on the same mesh; its dofs are numbered alike. */
+    /** Mesh, also for other spaces, whose dofs have the same numbers. */
     const std::shared_ptr<const Mesh<dim>> triangulation;
     const dealii::FESystem<dim>            finite_element;
     dealii::DoFHandler<dim>                dof_handler;
-    /** Of the degree of the elements if cells have curved edges, else linear.
-     * In bodies of revolution all weights have the factor x₁: integrals are
-     * those over a radian. */
+    /** Mapping of the degree of the elements if cells have curved edges, else
+     * linear. In bodies of revolution all weights have the factor x₁:
+     * integrals are over a radian. */
     const RingMapping<dim>            mapping;
     dealii::AffineConstraints<double> constraints;
-    /** Of degrees of freedom alone: supports and hanging nodes. */
+    /** Constraints of degrees of freedom alone: supports and hanging nodes. */
     dealii::AffineConstraints<double> supports_and_hanging;
-    /** The nodes of the lips and the unknowns that their openings are. */
+    /** Nodes of the lips and the unknowns of their openings. */
     LipBasis<dim>       lip;
     const BoundaryRoles roles;
-    /** What D takes from displacements of this space. */
+    /** Volumetric part of the strain D of displacements. */
     const VolumetricStrain volumetric_strain;
 
-    /** Which power of the length volumes are: 3 for rings too. */
+    /** Exponent of length in volumes: 3 for rings, too. */
     unsigned int
     measure_dimension() const
     {
@@ -126,14 +126,14 @@ namespace Crevasse
       return triangulation->get_communicator();
     }
 
-    /** The singular functions as shape functions; null: none. */
+    /** Singular functions as shape functions, or null. */
     const SingularShapes *
     singular_shapes() const
     {
       return shapes.get();
     }
 
-    /** The number of the coefficient of the k-th singular function in a
+    /** Number of the coefficient of the k-th singular function in a
      * displacement vector. */
     dealii::types::global_dof_index
     singular_unknown(const unsigned int k) const
@@ -141,60 +141,58 @@ namespace Crevasse
       return dof_handler.n_dofs() + lip.n_unknowns + k;
     }
 
-    /** Degrees of freedom of the nodes, unknowns of the lips and coefficients
-     * of singular functions. */
+    /** Number of unknowns: degrees of freedom of the nodes, unknowns of the
+     * lips and coefficients of singular functions. */
     dealii::types::global_dof_index
     n_unknowns() const
     {
       return singular_unknown(shapes == nullptr ? 0 : shapes->size());
     }
 
-    /** Those that belong to this rank, and those of the cells that it sees. */
+    /** Unknowns owned by this rank, and unknowns of the cells that it sees. */
     dealii::IndexSet locally_owned_unknowns;
     dealii::IndexSet locally_relevant_unknowns;
 
-    /** Those but for what is replaced by others in LipBasis: how much there is
-     * to compute. */
+    /** Number of unknowns without the degrees of freedom that LipBasis
+     * replaces, as a measure of the work. */
     dealii::types::global_dof_index
     n_independent_unknowns() const
     {
       return n_unknowns() - lip.combinations.size();
     }
 
-    /** The degrees of freedom of a cell, followed by the unknowns of the
-     * singular functions, which reach everywhere. Those of the lips come in by
-     * constraints. */
+    /** Degrees of freedom of a cell, followed by the unknowns of the singular
+     * functions, which are global. Constraints add those of the lips. */
     void
     get_unknowns(
       const typename dealii::DoFHandler<dim>::active_cell_iterator &cell,
       std::vector<dealii::types::global_dof_index> &indices) const;
 
-    /** A vector of zeros for values at the unknowns, with ghosts for those of
-     * the cells that this rank sees. */
+    /** Vector of zeros for all unknowns, with ghosts for the cells that this
+     * rank sees. */
     Vector
     ghosted_vector() const
     {
       return Vector(partitioner);
     }
 
-    /** What a displacement is at all nodes, constraints resolved, with ghost
-     * values set. */
+    /** Values of a displacement at all nodes, with constraints resolved and
+     * ghost values set. */
     Vector
     nodal_values(const Vector &displacement) const;
 
-    /** The inverse, with zeros in constrained entries. Collective. */
+    /** Inverse of nodal_values(); constrained entries are 0. Collective. */
     Vector
     from_nodal_values(const Vector &values) const;
 
-    /** The rules that integrate the stiffness, and at whose points the viscous
-     * strain lives. The first is that of most cells: Gauss with degree + 1
-     * points a direction, with singular functions one more. Only with these
-     * there are others: Gauss with 5 points near the tip and, for each of its
-     * vertices, one for a cell that has the tip there (Duffy's
-     * transformation). */
+    /** Quadrature rules of the stiffness, at whose points the viscous strain
+     * lives. The first is that of most cells: Gauss with degree + 1 points a
+     * direction, with singular functions one more. Only singular functions
+     * need the others: Gauss with 5 points near the tip and, for each vertex
+     * of a cell, a rule for a tip there (Duffy's transformation). */
     dealii::hp::QCollection<dim> quadratures;
 
-    /** Which of these a cell has. */
+    /** Number of the quadrature rule of a cell. */
     unsigned int
     rule(const typename dealii::Triangulation<dim>::active_cell_iterator &cell)
       const
@@ -202,7 +200,7 @@ namespace Crevasse
       return rule_of_cell.empty() ? 0 : rule_of_cell[cell->active_cell_index()];
     }
 
-    /** That rule. */
+    /** Quadrature rule of a cell. */
     const dealii::Quadrature<dim> &
     quadrature(const typename dealii::Triangulation<dim>::active_cell_iterator
                  &cell) const
@@ -215,8 +213,8 @@ namespace Crevasse
       return face_rule;
     }
 
-    /** For loops over the cells with the first rule; made when they are first
-     * asked for, and shared. Collective. */
+    /** Loops over the cells with the first rule; made when first used, and
+     * shared. Collective. */
     std::shared_ptr<const CellLoops<dim>>
     cell_loops() const;
 
@@ -229,20 +227,20 @@ namespace Crevasse
     hold_axis();
     void
     make_constraints(const bool lips_closed);
-    /** Whether a constraint makes this unknown depend on others. */
+    /** Whether a support or hanging node makes a dof depend on others. */
     bool
     is_tied(const dealii::types::global_dof_index dof) const
     {
       const auto *entries = supports_and_hanging.get_constraint_entries(dof);
       return entries != nullptr && !entries->empty();
     }
-    /** Fixed points at the nearest vertices whose unknowns are not tied,
-     * different ones at different vertices; without those for which there are
-     * none. */
+    /** Moves fixed points to the nearest vertices whose unknowns are not tied,
+     * different points to different vertices; omits points without such a
+     * vertex. */
     std::vector<FixedPoint<dim>>
     at_vertices(const std::vector<FixedPoint<dim>> &fixed_points) const;
-    /** The vertex nearest to a point whose unknowns of its components are not
-     * tied. Collective. */
+    /** Vertex nearest to a fixed point at which its components are not tied.
+     * Collective. */
     std::optional<dealii::Point<dim>>
     nearest_free_vertex(const FixedPoint<dim>                 &fixed_point,
                         const std::vector<dealii::Point<dim>> &taken) const;
@@ -256,12 +254,12 @@ namespace Crevasse
     const dealii::QGauss<dim - 1>      face_rule;
     const std::vector<FixedPoint<dim>> supports;
 
-    std::unique_ptr<const SingularShapes> shapes; ///< of singular functions
+    std::unique_ptr<const SingularShapes> shapes; ///< singular functions
     std::shared_ptr<const dealii::Utilities::MPI::Partitioner>
-                              partitioner;  ///< of both
-    std::vector<std::uint8_t> rule_of_cell; ///< empty: all have the first
+                              partitioner;  ///< of ghosted vectors
+    std::vector<std::uint8_t> rule_of_cell; ///< empty: first rule
 
-    mutable std::shared_ptr<const CellLoops<dim>> loops; ///< once asked for
+    mutable std::shared_ptr<const CellLoops<dim>> loops; ///< made on demand
   };
 } // namespace Crevasse
 

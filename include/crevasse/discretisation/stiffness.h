@@ -16,14 +16,13 @@ namespace Crevasse
 {
   using SparseMatrix = dealii::TrilinosWrappers::SparseMatrix;
 
-  /** Strains of all shape functions of a cell at the points of its rule, those
-   * of the nodes and the singular ones, in the order of Space::get_unknowns().
-   */
+  /** Strains of all shape functions of a cell, nodal and singular, at the
+   * points of its rule, in the order of Space::get_unknowns(). */
   template <int dim>
   class ShapeStrains
   {
   public:
-    /** @param space must outlive this object. */
+    /** Prepares shape functions. @param space Must outlive this object. */
     explicit ShapeStrains(const Space<dim> &space)
       : space(space)
       , cell_values(space,
@@ -72,7 +71,7 @@ namespace Crevasse
     }
 
   private:
-    /** u₁/x₁ of a shape function in a body of revolution, else 0. */
+    /** Hoop strain u₁/x₁ of a shape function; 0 without an axis. */
     double
     hoop_strain(const unsigned int i, const unsigned int q) const
     {
@@ -81,7 +80,7 @@ namespace Crevasse
                                   : 0.;
     }
 
-    /** The means over the cell of the dilatations of its shape functions. */
+    /** Computes the means over the cell of shape functions' dilatations. */
     void
     find_mean_dilatations()
     {
@@ -118,8 +117,8 @@ namespace Crevasse
    *
    * @param stiffness K (or η, for the secular problem), in units of stress, at
    * the quadrature points.
-   * @param[in,out] matrix Empty, or one of the same space, whose sparsity
-   * pattern then is kept.
+   * @param[in,out] matrix Empty, or a matrix of the same space, which keeps its
+   * sparsity pattern.
    */
   template <int dim>
   void

@@ -12,23 +12,23 @@ namespace Crevasse
   /**
    * The strain operator D of the paper (formula (2) without e⁰) and its
    * transpose, the equilibrium operator, between displacements and values at
-   * quadrature points. Both are matrix-free; what happens at a point is passed
-   * in as a function, so that a field is read or written once per sweep.
+   * quadrature points. Both are matrix-free; the operation at a point is a
+   * function argument, so that a field is read or written once per sweep.
    *
    * With VolumetricStrain::mean, the trace of the strain at each point is the
    * mean over its cell, and a third of the difference goes to each of the
    * components 11, 22 and 33. The transpose gives a point the mean pressure of
    * the cell instead of its own.
    *
-   * With singular functions, displacements carry their coefficients, and the
-   * cells near the tip are not those of CellLoops: see Enrichment. Its work
-   * space makes an operator one that only one thread at a time can apply.
+   * With singular functions, displacements contain their coefficients, and the
+   * cells near the tip are not in CellLoops: see Enrichment. Because of its
+   * work space, only one thread at a time may apply the operator.
    */
   template <int dim>
   class StrainOperator
   {
   public:
-    /** @param space must outlive this object. */
+    /** Makes D and Dᵀ for a space, which must outlive them. */
     StrainOperator(const Space<dim> &space, const QuadratureField<dim> &points);
 
     /** Gives @p displacement the layout that D reads, all zero. */
@@ -36,15 +36,15 @@ namespace Crevasse
     initialize(Vector &displacement) const;
 
     /**
-     * For each point calls `f(offset, strain)` with the place of the point in
-     * a QuadratureField and the strain D q there. Constrained entries of @p
-     * displacement are not read but resolved.
+     * Computes strains: calls `f(offset, strain)` for each point, with its
+     * offset in a QuadratureField and the strain D q. Constrained entries of
+     * @p displacement are not read but resolved.
      */
     template <typename Function>
     void
     for_each_strain(const Vector &displacement, const Function &f) const;
 
-    /** force += ∫ Dᵀ s for the stress `s(offset)` at each point. */
+    /** Applies Dᵀ: force += ∫ Dᵀ s for the stress `s(offset)` at each point. */
     template <typename Function>
     void
     add_transpose(Vector &force, const Function &stress_at) const;
@@ -52,7 +52,7 @@ namespace Crevasse
   private:
     static constexpr unsigned int n_components = n_stress_components<dim>;
 
-    /** A number for each lane, component and point of a batch of cells. */
+    /** Numbers in a batch of cells: one for each lane, component and point. */
     static constexpr unsigned int most_numbers =
       8 * n_components * (dim == 2 ? 16 : 27);
     using BatchField = std::array<double, most_numbers>;
@@ -65,19 +65,19 @@ namespace Crevasse
     void
     transpose_sweep(Vector &force, const Function &stress_at) const;
 
-    /** Calls f(place, offset) for the points of the cells of a batch: where
-     * their components begin in a BatchField and in a QuadratureField. */
+    /** Calls f(place, offset) for the points of the cells of a batch: first
+     * index of their components in a BatchField and in a QuadratureField. */
     template <typename Function>
     void
     for_each_point(const unsigned int batch, const Function &f) const;
 
-    const Space<dim>                           &space;
-    const unsigned int                          n_cell_points;
-    std::unique_ptr<Enrichment>                 enrichment; ///< or null
+    const Space<dim>           &space;
+    const unsigned int          n_cell_points;
+    std::unique_ptr<Enrichment> enrichment; ///< null without singular functions
     const std::shared_ptr<const CellLoops<dim>> loops;
     const CellKernels<double>                  &kernels;
 
-    std::vector<std::size_t> offsets; ///< of the first points of the cells
+    std::vector<std::size_t> offsets; ///< first points of the cells
   };
 
 

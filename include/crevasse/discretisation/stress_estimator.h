@@ -16,37 +16,38 @@ namespace Crevasse
   struct MaterialState;
 
   /**
-   * How far stresses are from equilibrium, cell by cell, in the norm of their
-   * elastic energy: with the compliance c (1/stress) of the cell
+   * Error estimator: residual of the equilibrium of stresses in each cell, in
+   * the norm of their elastic energy: with the compliance c (1/stress) of the
+   * cell
    *
    *     16 η² = c h²/p² ‖div s + φ₁‖² + c h/p (½ ‖[s n]‖² + ‖s n − φ₂‖² + …)
    *
    * over the cell, its inner faces and its faces at the boundary, where "…"
-   * stands for tangential tractions on planes of symmetry and lips, and for
-   * the normal one of the lip plus the contact pressure: that must vanish
-   * where the lip is open, and bear the contact force where it is closed. The
-   * stress is what the points have, not what the displacement alone would
-   * cause, so that it contains the viscous strain.
+   * stands for tangential tractions on planes of symmetry and lips, and for the
+   * normal traction of the lip plus the contact pressure, which vanishes where
+   * the lip is open, and balances the contact force where it is closed. The
+   * stress is that at the points, not that of the displacement alone, so that
+   * it contains the viscous strain.
    *
-   * Looks at as many states as wanted; what counts for a cell is the largest
-   * of its estimates.
+   * Any number of states may be estimated; the largest estimate of a cell
+   * counts.
    */
   template <int dim>
   class StressEstimator
   {
   public:
-    /** All arguments must outlive this object. */
+    /** Makes an estimator without estimates. All arguments must outlive it. */
     StressEstimator(const Space<dim>           &space,
                     const QuadratureField<dim> &points,
                     const ContactBoundary<dim> &lip,
                     const LoadParameters       &loads);
 
-    /** Collective.
+    /** Estimates the error of a state. Collective.
      *
      * @param t Instant within the period.
-     * @param contact_forces of the nodes of the lip on this rank.
-     * @param elastic_displacement whose stress it is, where nothing creeps: the
-     * stress of singular functions then counts as what it is, and is not
+     * @param contact_forces Forces of the lip's nodes on this rank.
+     * @param elastic_displacement Displacement of an elastic stress, if nothing
+     * creeps: the stress of singular functions then counts exactly, and is not
      * approximated by polynomials. */
     void
     look_at(const double               t,
@@ -55,20 +56,20 @@ namespace Crevasse
             const MaterialState<dim>  &material,
             const Vector              *elastic_displacement = nullptr);
 
-    /** The squares of the largest estimates so far over the largest energy, by
-     * active cell index. */
+    /** Squares of the largest estimates so far, divided by the largest energy,
+     * by active cell index. */
     dealii::Vector<float>
     squares() const;
 
-    /** ∫ s·K⁻¹s of the state where it is largest; 0 without stress. */
+    /** Largest energy ∫ s·K⁻¹s of all states; 0 without stress. */
     double
     largest_energy() const
     {
       return most_energy;
     }
 
-    /** The root of their sum over that of the largest energy norm of the
-     * stress so far; 0 without stress. Collective. */
+    /** Relative error: root of the sum of squares(); 0 without stress.
+     * Collective. */
     double
     relative_error() const;
 
@@ -80,25 +81,23 @@ namespace Crevasse
     }
 
   private:
-    /** The compliance of the cells that this rank sees. */
+    /** Compliances of the cells that this rank sees. */
     std::vector<double>
     compliances(const MaterialState<dim> &material) const;
 
-    /** ∫ s·K⁻¹s over all ranks. */
+    /** Energy ∫ s·K⁻¹s over all ranks. */
     double
     energy(const Vector &stress, const MaterialState<dim> &material) const;
 
-    /** The coefficients c_k of singular functions; none if there is no
-     * displacement, as without such functions, and with two lips, where they
-     * are cut off and no more in equilibrium: then what they describe counts as
-     * error. */
+    /** Coefficients c_k of singular functions; empty without a displacement or
+     * singular functions, and with two lips, where they are cut off and not in
+     * equilibrium: their residual then counts as error. */
     std::vector<double>
     singular_coefficients(const Vector *displacement) const;
 
-    /** K Σ c_k Dψ_k, not shifted: what is left without it is the stress of
-     * polynomials. w₁ and w₃ are in equilibrium and leave the lip free; what D
-     * lacks is left out of account, for an elastic body has hardly any of it.
-     */
+    /** Stress K Σ c_k Dψ_k with ψ_k, not φ_k: the rest is the stress of
+     * polynomials. w₁ and w₃ are in equilibrium with free lips; the residual
+     * of D is neglected, because an elastic body has little of it. */
     VoigtVector<dim>
     singular_stress(const std::vector<double> &coefficients,
                     const dealii::Point<dim>  &point,
@@ -110,7 +109,7 @@ namespace Crevasse
     const ContactBoundary<dim> &lip;
     const LoadParameters       &loads;
     const CellPolynomials<dim>  polynomials;
-    dealii::Vector<double>      largest; ///< of the squares
+    dealii::Vector<double>      largest; ///< largest squares
     double                      most_energy = 0.;
   };
 } // namespace Crevasse

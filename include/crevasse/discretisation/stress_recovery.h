@@ -13,23 +13,23 @@
 namespace Crevasse
 {
   /**
-   * Fields at quadrature points seen at nodes: on each cell the polynomial
-   * through the values at the points (the nearest one, where there are more),
-   * at each node the mean over the cells of one material that meet there,
-   * between nodes the shape functions. A node between materials has a value for
-   * each of them.
+   * Recovery of fields at quadrature points to nodes: on each cell the
+   * polynomial through the values at the points (the nearest one, if there are
+   * more), at each node the mean over the cells of one material that meet
+   * there, between nodes the shape functions. A node between materials has a
+   * value for each material.
    */
   template <int dim>
   class StressRecovery
   {
   public:
-    /** A value at one place as a weighted sum over local quadrature points:
-     * (offset in the field, weight). */
+    /** Value at a point as a weighted sum over local quadrature points: (offset
+     * in the field, weight). */
     using PointWeights = std::vector<std::pair<std::size_t, double>>;
 
-    /** The first two must outlive this object. Collective.
-     * @param materials numbers from 0 on, by active cell index; those of other
-     * ranks' cells are not read. Nothing: all is one material. */
+    /** The first two arguments must outlive this object. Collective.
+     * @param materials Numbers from 0 on, by active cell index; entries of
+     * other ranks' cells are not read. Empty: one material. */
     StressRecovery(const Space<dim>                &space,
                    const QuadratureField<dim>      &points,
                    const std::vector<unsigned int> &materials = {})
@@ -57,10 +57,10 @@ namespace Crevasse
       n_materials = 1 + dealii::Utilities::MPI::max(most, space.communicator());
     }
 
-    /** Scalar nodal space. */
+    /** Scalar space of the nodes. */
     dealii::DoFHandler<dim> dof_handler;
 
-    /** Between 0 and n_materials - 1 */
+    /** Material number of a cell, from 0 to n_materials - 1. */
     unsigned int
     material_of(const typename dealii::Triangulation<dim>::active_cell_iterator
                   &cell) const
@@ -74,9 +74,9 @@ namespace Crevasse
       return n_materials > 1;
     }
 
-    /** Calls f(cell of dof_handler, number of a node of it, value there) for
-     * the nodes of this rank's cells, in the order of dof_handler's element.
-     * Collective. */
+    /** Recovers a field: calls f(cell of dof_handler, node of the cell, value)
+     * for the nodes of this rank's cells, in the order of dof_handler's
+     * element. Collective. */
     template <typename Function>
     void
     recover(const Vector &field, const Function &f) const
@@ -104,13 +104,13 @@ namespace Crevasse
     }
 
     /**
-     * The recovered value at a point as a sum over the quadrature points near
-     * it, so that following a point through time costs next to nothing.
-     * Collective; each rank gets the part of its own cells.
+     * Recovered value at a point as a sum over the quadrature points near it,
+     * so that following a point through time is cheap. Collective; each rank
+     * gets the part of its own cells.
      *
      * @param nodal_weights (dof of dof_handler, weight) of the point in its
      * cell; empty on ranks that do not own the cell.
-     * @param of_cell material of this cell; without meaning on other ranks.
+     * @param of_cell Material of this cell; without meaning on other ranks.
      */
     PointWeights
     weights_of(
@@ -121,8 +121,7 @@ namespace Crevasse
       const unsigned int material =
         dealii::Utilities::MPI::max(nodal_weights.empty() ? 0 : of_cell,
                                     space.communicator());
-      // The transpose of recover(), applied to the shape functions at the
-      // point.
+      // Apply the transpose of recover() to the shape functions at the point.
       const Vector weights_of_cells = inverse_count(material);
       Vector       at_nodes(layout);
       for (const auto &[dof, weight] : nodal_weights)
@@ -156,7 +155,7 @@ namespace Crevasse
       return weights;
     }
 
-    /** Σ weights × field of this rank. */
+    /** Sum Σ weights × field on this rank. */
     static VoigtVector<dim>
     evaluate(const Vector &field, const PointWeights &weights)
     {
@@ -169,7 +168,7 @@ namespace Crevasse
   private:
     static constexpr unsigned int n_components = n_stress_components<dim>;
 
-    /** f(cell, dofs of its nodes) */
+    /** Calls f(cell, dofs of its nodes) for each cell of a material. */
     template <typename Function>
     void
     for_each_cell_of(const unsigned int material, const Function &f) const
@@ -184,8 +183,8 @@ namespace Crevasse
           }
     }
 
-    /** 1 / number of cells of a material at each node, 0 without any; with
-     * ghost values. */
+    /** Inverse of the number of cells of a material at each node, 0 without
+     * any; with ghost values. */
     Vector
     inverse_count(const unsigned int material) const
     {
@@ -201,8 +200,8 @@ namespace Crevasse
       return inverse;
     }
 
-    /** The means over the cells of a material, one vector a component, with
-     * ghost values; hanging nodes not yet interpolated. */
+    /** Means over the cells of a material at nodes, one vector a component,
+     * with ghost values; hanging nodes are not interpolated yet. */
     std::vector<Vector>
     means(const Vector      &field,
           const unsigned int material,
@@ -232,8 +231,8 @@ namespace Crevasse
       return nodal;
     }
 
-    /** f(dof, factor) for the nodes that a hanging node lies between, if cells
-     * of its material have them all; else for the node itself. */
+    /** Calls f(dof, factor) for the masters of a hanging node, if cells of its
+     * material have all of them; else for the node itself. */
     template <typename Function>
     void
     for_each_master(const dealii::types::global_dof_index dof,
@@ -258,8 +257,8 @@ namespace Crevasse
     dealii::AffineConstraints<double>                          hanging_nodes;
     std::shared_ptr<const dealii::Utilities::MPI::Partitioner> layout;
 
-    /** From the values at the points of a cell to those at its nodes, for each
-     * rule. */
+    /** Matrices from values at the points of a cell to values at its nodes, for
+     * each rule. */
     std::vector<dealii::FullMatrix<double>> extrapolations;
   };
 } // namespace Crevasse

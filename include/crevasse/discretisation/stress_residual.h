@@ -16,8 +16,8 @@
 
 namespace Crevasse
 {
-  /** What a stress, given as polynomials of cells, lacks to equilibrium at an
-   * instant, in the volume, between cells and at the boundary. */
+  /** Residual of the equilibrium of a stress, given as polynomials of cells, at
+   * an instant: in the volume, between cells and at the boundary. */
   template <int dim>
   class StressResidual
   {
@@ -26,7 +26,7 @@ namespace Crevasse
 
     /** All arguments must outlive this object. Collective.
      *
-     * @param contact_forces of the nodes of the lip on this rank. */
+     * @param contact_forces Forces of the lip's nodes on this rank. */
     StressResidual(const Space<dim>           &space,
                    const CellPolynomials<dim> &polynomials,
                    const ContactBoundary<dim> &lip,
@@ -67,7 +67,7 @@ namespace Crevasse
           .push_back(*force.components);
     }
 
-    /** ∫ ‖div s + φ₁‖² */
+    /** Residual in a cell: ∫ ‖div s + φ₁‖². */
     double
     in_volume(const Cell &cell)
     {
@@ -95,8 +95,8 @@ namespace Crevasse
       return integral;
     }
 
-    /** h ∫ c ‖[s n]‖² over a face to a cell that is not finer, with the
-     * compliance of the stiffer one. */
+    /** Jump over a face to a cell that is not finer: h ∫ c ‖[s n]‖², with the
+     * compliance of the stiffer cell. */
     double
     jump(const Cell                &cell,
          const unsigned int         face,
@@ -125,12 +125,12 @@ namespace Crevasse
                       compliance[other->active_cell_index()]);
     }
 
-    /** h ∫ ‖what of the traction s n the boundary does not bear‖²: on loaded
-     * faces the difference to the load, on planes of symmetry and lips what is
-     * tangential, on lips also the normal traction plus the contact pressure,
-     * and nothing where the body is clamped.
+    /** Residual at a boundary face: h ∫ ‖…‖² of the unbalanced traction: on
+     * loaded faces s n minus the load, on planes of symmetry and lips its
+     * tangential part, on lips also the normal traction plus the contact
+     * pressure, and nothing where the body is clamped.
      *
-     * @param added of a point: a stress besides that of the polynomials. */
+     * @param added Stress at a point in addition to the polynomials. */
     template <typename Function>
     double
     at_boundary(const Cell        &cell,
@@ -168,7 +168,7 @@ namespace Crevasse
           if (roles.symmetry.count(id) > 0)
             residual -= (residual * normal) * normal;
           else if (is_lip)
-            // Only one component is not zero.
+            // Only one component of the pressure is not zero.
             for (unsigned int d = 0; d < dim; ++d)
               residual += pressures[q][d] * normal;
           integral += residual.norm_square() * values.JxW(q);
@@ -176,10 +176,10 @@ namespace Crevasse
       return size_of(values) * integral;
     }
 
-    Vector stress; ///< coefficients of the polynomials
+    Vector stress; ///< coefficients of the polynomials of stress
 
   private:
-    /** s n */
+    /** Traction s n. */
     static dealii::Tensor<1, dim>
     traction_of(const dealii::Vector<double> &stress,
                 const dealii::Tensor<1, dim> &normal)
@@ -222,10 +222,10 @@ namespace Crevasse
     dealii::FEFaceValues<dim>      displacement;
 
     std::vector<std::vector<dealii::Tensor<1, dim>>> gradients;
-    std::vector<dealii::Vector<double>> values_inside; ///< only with an axis
-    std::vector<dealii::Vector<double>> here, there;   ///< stress at points
-    const Vector                        pressure;  ///< at the dofs of the lip
-    std::vector<dealii::Vector<double>> pressures; ///< at the points
+    std::vector<dealii::Vector<double>> values_inside; ///< used with an axis
+    std::vector<dealii::Vector<double>> here, there; ///< stress at face points
+    const Vector                        pressure;    ///< at dofs of the lip
+    std::vector<dealii::Vector<double>> pressures;   ///< at face points
   };
 } // namespace Crevasse
 

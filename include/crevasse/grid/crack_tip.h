@@ -14,9 +14,9 @@
 
 namespace Crevasse
 {
-  /** What is found at a tip: how the lips move apart, across the crack or along
-   * it, and s₁₁ − s₂₂ of the constant stress beside the singular one: T, as
-   * open lips have no s₂₂. */
+  /** Modes of the field at a crack tip: how the lips move apart, across or
+   * along the crack, and T = s₁₁ − s₂₂ of the constant stress beside the
+   * singular one, as open lips have no s₂₂. */
   enum class CrackMode
   {
     opening, ///< K_I
@@ -25,19 +25,20 @@ namespace Crevasse
     constant ///< T
   };
 
-  /** The end of a crack in the plane: where a face of the lip goes straight on
-   * as a face of the plane of symmetry, or where the two lips of a crack meet.
-   * Its own coordinates X and Y begin there; r and θ are their polar
-   * coordinates, so that the upper lip is at θ = π, and the lower one at −π. */
+  /** Tip of a crack in the plane: where a face of the lip continues straight as
+   * a face of the plane of symmetry, or where the two lips of a crack meet.
+   * Its local coordinates X and Y begin there; r and θ are their polar
+   * coordinates, so that the upper lip is at θ = π, and the lower lip at −π. */
   struct CrackTip
   {
     dealii::Point<2>     position;
-    dealii::Tensor<1, 2> ahead;  ///< of X, along the crack
-    dealii::Tensor<1, 2> inward; ///< of Y, into the body above the crack
+    dealii::Tensor<1, 2> ahead; ///< direction of X, along the crack
+    dealii::Tensor<1, 2>
+      inward; ///< direction of Y, into the body above the crack
     /** Whether the body is modelled on both sides of the crack. */
     bool two_lips = false;
 
-    /** (X, Y) of a point. */
+    /** Local coordinates (X, Y) of a point. */
     dealii::Point<2>
     local(const dealii::Point<2> &point) const
     {
@@ -45,9 +46,9 @@ namespace Crevasse
       return {distance * ahead, distance * inward};
     }
 
-    /** (X, Y) of a point of a cell; on a lip Y has the sign of that lip,
-     * whatever rounding makes of it.
-     * @param beside another point of this cell, off the line of the crack. */
+    /** Local coordinates (X, Y) of a point of a cell; on a lip, Y has the sign
+     * of this lip in spite of rounding.
+     * @param beside Another point of the cell, off the line of the crack. */
     dealii::Point<2>
     local(const dealii::Point<2> &point, const dealii::Point<2> &beside) const
     {
@@ -57,7 +58,7 @@ namespace Crevasse
       return place;
     }
 
-    /** Whether (X, Y) is on the line of the crack, but for rounding. */
+    /** Whether (X, Y) is on the line of the crack, up to rounding. */
     bool
     is_on_line(const dealii::Point<2> &local) const
     {
@@ -65,7 +66,7 @@ namespace Crevasse
              1e-8 * std::abs(local[0]) + 1e-14 * position.norm();
     }
 
-    /** The rotation that makes (X, Y) components of those of the mesh. */
+    /** Rotation of components from the mesh's coordinates to (X, Y). */
     dealii::Tensor<2, 2>
     to_local() const
     {
@@ -75,8 +76,7 @@ namespace Crevasse
       return rows;
     }
 
-    /** A vector with components along X and Y in the coordinates of the mesh.
-     */
+    /** Components in the mesh's coordinates of a vector along X and Y. */
     dealii::Tensor<1, 2>
     global(const dealii::Tensor<1, 2> &vector) const
     {
@@ -84,32 +84,32 @@ namespace Crevasse
     }
   };
 
-  /** All tips of a mesh whose lips are straight there. Looks at the coarse
-   * mesh, which every rank knows whole. */
+  /** Finds all crack tips of a mesh with straight lips. Uses the coarse mesh,
+   * which every rank knows completely. */
   std::vector<CrackTip>
   find_crack_tips(const dealii::Triangulation<2> &mesh,
                   const BoundaryRoles            &roles);
 
-  /** All tips if the lips at each are two, or else the one tip of a half model
-   * that there must be.
-   * @param wanted_by the parameter that asks for it, "[Section] Name = value".
-   * @throw SceneError if there is none, or another one. */
+  /** All crack tips of a model with two lips, or the one tip that a half model
+   * must have.
+   * @param wanted_by Parameter that needs the tips, "[Section] Name = value".
+   * @throw SceneError if there is no tip, or a wrong one. */
   std::vector<CrackTip>
   crack_tips(const dealii::Triangulation<2> &mesh,
              const BoundaryRoles            &roles,
              const std::string              &wanted_by);
 
-  /** Behind a tip with two lips, how far the crack goes straight on until its
-   * line is in the body; infinite: it leaves the body, or the tip has one lip.
-   * At most the distance of another tip. Looks at the coarse mesh. */
+  /** Length over which the crack is straight behind a tip with two lips, at
+   * most the distance to another tip; infinite if its line leaves the body, or
+   * the tip has one lip. Uses the coarse mesh. */
   double
   straight_length(const dealii::Triangulation<2> &mesh,
                   const BoundaryRoles            &roles,
                   const CrackTip                 &tip);
 
-  /** Where faces of the lip go straight on as faces of the plane of symmetry in
-   * the coarse mesh, and where two lips meet: both ends of each edge in space,
-   * tips twice in the plane. */
+  /** Crack front in the coarse mesh, where lip faces continue straight as faces
+   * of the plane of symmetry or two lips meet: both ends of each edge in
+   * space, each tip twice in the plane. */
   template <int dim>
   using CrackFront =
     std::vector<std::pair<dealii::Point<dim>, dealii::Point<dim>>>;
@@ -119,7 +119,7 @@ namespace Crevasse
   crack_front(const dealii::Triangulation<dim> &mesh,
               const BoundaryRoles              &roles);
 
-  /** The distance of a point from an edge, which may have no length. */
+  /** Distance of a point from an edge, which may have length 0. */
   template <int dim>
   double
   distance_from_edge(const dealii::Point<dim> &point,
@@ -132,13 +132,13 @@ namespace Crevasse
     return point.distance(first + std::clamp(where, 0., 1.) * along);
   }
 
-  /** An edge of the coarse mesh on the front of a crack in space, from its
-   * first vertex to its last so that ahead = inward × (last − first). */
+  /** Edge of the coarse mesh on a crack front in space, oriented so that ahead
+   * = inward × (last − first). */
   struct FrontEdge
   {
     dealii::Point<3> first, last;
-    /** Normal of the crack plane, into the body above the crack; of two lips
-     * the one whose last component is positive that is not 0. */
+    /** Normal of the crack plane, into the body above the crack; with two lips,
+     * the normal whose last non-zero component is positive. */
     dealii::Tensor<1, 3> inward;
     bool                 two_lips;
   };

@@ -13,31 +13,28 @@
 
 namespace Crevasse
 {
-  /** The points in the middle of edges, by the vertices of these, the smaller
+  /** Middle points of curved edges, by the two vertices of an edge, the smaller
    * number first. */
   template <int dim>
   using EdgeMiddles =
     std::map<std::pair<unsigned int, unsigned int>, dealii::Point<dim>>;
 
   /**
-   * Makes edges of a coarse mesh arcs of circles. Three points determine an arc
-   * as they determine a parabola, from which it differs by the fourth power of
-   * its angle; what is a circle stays one when edges are divided.
-   *
-   * @throw SceneError if a point lies elsewhere than near the middle of its
-   * edge, or if an arc turns by 180 degrees or more.
+   * Makes edges of a coarse mesh circular arcs. An arc through three points
+   * differs from the parabola through them by the fourth power of its angle;
+   * divided edges stay on the circle.
    */
   template <int dim>
   void
   set_curved_edges(const EdgeMiddles<dim>     &middles,
                    dealii::Triangulation<dim> &mesh);
 
-  /** Whether set_curved_edges() has found any. The same on all ranks. */
+  /** Whether a mesh has curved edges. The same on all ranks. */
   template <int dim>
   bool
   has_curved_edges(const dealii::Triangulation<dim> &mesh);
 
-  /** @throw SceneError if a face with one of the ids is curved. */
+  /** Checks the faces with these ids. @throw SceneError if one is curved. */
   template <int dim>
   void
   require_flat_faces(const dealii::Triangulation<dim>           &mesh,

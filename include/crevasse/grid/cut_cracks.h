@@ -11,10 +11,10 @@
 namespace Crevasse
 {
   /**
-   * Cuts a mesh along the boundary elements of these physical groups that lie
+   * Cuts a mesh along those boundary elements of physical groups that lie
    * between two cells: each becomes one element for either lip. A node is
-   * doubled as often as the cells around it fall apart; at a tip they do not,
-   * and both lips share it. Lips that the file has already stay as they are.
+   * copied for each part into which the cuts divide the cells around it; at a
+   * tip there is one part, and both lips share the node. Lips of the file stay.
    *
    * @throw SceneError where no node of an element is doubled.
    */

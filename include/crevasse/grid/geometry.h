@@ -10,24 +10,24 @@
 
 namespace Crevasse
 {
-  /** Numbers of cells that are not bound to fit into an integer. */
+  /** Numbers of cells of a mesh, which may exceed an integer. */
   struct CellCounts
   {
-    double first; ///< before refinement
-    double all;   ///< after it
+    double first; ///< number before refinement
+    double all;   ///< number after refinement
   };
 
   /**
    * Fills @p mesh with the built-in shape or the mesh file, and refines it
-   * uniformly as often as the scene asks. A crack tip always is a vertex, a
-   * straight crack front a line of the mesh: where uniform cells do not meet
-   * it, the two sides of it are divided separately.
+   * uniformly as often as the scene asks. A crack tip is always a vertex, a
+   * straight crack front always a line of the mesh: if uniform cells do not
+   * meet it, its two sides are divided separately.
    *
-   * @param on_cell_count sees how many cells there are going to be while there
-   * is no more than a file that was read; it may throw.
-   * @param cracks boundary ids along which a Gmsh file's mesh is cut.
-   * @throw SceneError if the file cannot be understood as a mesh of
-   * quadrilaterals (hexahedra), or if the crack cannot be resolved.
+   * @param on_cell_count Called with the future numbers of cells before the
+   * mesh is made; may throw.
+   * @param cracks Boundary ids along which the mesh of a Gmsh file is cut.
+   * @throw SceneError if the file is not a mesh of quadrilaterals (hexahedra),
+   * or if the crack cannot be resolved.
    */
   template <int dim>
   void

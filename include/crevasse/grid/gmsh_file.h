@@ -15,30 +15,28 @@
 
 namespace Crevasse
 {
-  /** What to say of a mesh that has other cells than quadrilaterals
-   * (hexahedra). */
+  /** Message for a mesh with other cells than quadrilaterals (hexahedra). */
   std::string
   only_hypercubes(const unsigned int dim);
 
-  /** Two nodes by the file's numbers, the smaller first. */
+  /** Nodes of an edge by their numbers in the file, the smaller first. */
   using EdgeNodes = std::pair<std::size_t, std::size_t>;
 
-  /** The nodes and elements of a Gmsh file, in the order of their numbers. */
+  /** Nodes and elements of a Gmsh file, in the order of their numbers. */
   struct GmshMesh
   {
     std::map<std::size_t, dealii::Point<3>> nodes;
     std::vector<MeshElement>                cells;
     std::vector<MeshElement>                boundary;
-    std::map<EdgeNodes, std::size_t>        middles; ///< of second order
+    std::map<EdgeNodes, std::size_t>        middles; ///< edge middles
   };
 
   /**
-   * Reads a .msh file of any format that Gmsh knows, by its library. Not
-   * thread-safe.
+   * Reads a .msh file of any format with the library of Gmsh. Not thread-safe.
    *
-   * @param cracks the physical groups along which it is cut.
-   * @throw SceneError if Gmsh cannot read it, or if it is no mesh of
-   * quadrilaterals (hexahedra) whose faces fit together.
+   * @param cracks Physical groups along which the mesh is cut.
+   * @throw SceneError if Gmsh cannot read the file, or if the file is not a
+   * mesh of quadrilaterals (hexahedra) whose faces fit together.
    */
   GmshMesh
   read_gmsh_file(const std::string            &file_name,

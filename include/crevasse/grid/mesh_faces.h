@@ -9,27 +9,27 @@
 
 namespace Crevasse
 {
-  /** An element of a mesh file, with the file's numbers. */
+  /** Element of a mesh file, with the numbers of the file. */
   struct MeshElement
   {
     std::size_t              number;
-    unsigned int             group; ///< physical group; 0 if in none
-    std::vector<std::size_t> nodes; ///< its vertices, in Gmsh's order
+    unsigned int             group; ///< physical group, or 0
+    std::vector<std::size_t> nodes; ///< vertices, in Gmsh's order
   };
 
-  /** The nodes of each face of a quadrilateral (hexahedron), once around it. */
+  /** Nodes of each face of a quadrilateral (hexahedron), in cyclic order. */
   std::vector<std::vector<std::size_t>>
   nodes_of_faces(const MeshElement &cell);
 
   /**
-   * Whether the elements of a mesh file fit together. deal.II takes for granted
-   * that at most two cells share a face and see its nodes in the same order. It
-   * passes over a boundary element that is no face of a cell, and takes any of
-   * two boundary ids.
+   * Checks that the elements of a mesh file fit together. deal.II assumes that
+   * at most two cells share a face and see its nodes in the same order; it
+   * ignores a boundary element that is no face of a cell, and uses any of two
+   * boundary ids.
    *
-   * @param cells quadrilaterals (hexahedra)
-   * @param boundary lines (quadrilaterals)
-   * @throw SceneError that names elements and nodes of the file
+   * @param cells Quadrilaterals (hexahedra).
+   * @param boundary Lines (quadrilaterals).
+   * @throw SceneError that names elements and nodes of the file.
    */
   void
   check_faces(const std::vector<MeshElement> &cells,

@@ -8,86 +8,86 @@
 
 namespace Crevasse
 {
-  /** Which elements a kernel is for. */
+  /** Properties of the elements that a kernel is compiled for. */
   struct CellKind
   {
     unsigned int dim;
-    unsigned int degree;   ///< 1 or 2
-    unsigned int n_points; ///< of Gauss's rule, in each direction
+    unsigned int degree;   ///< degree 1 or 2
+    unsigned int n_points; ///< Gauss points in each direction
     bool         mean_volume;
-    bool         rings; ///< in the plane, of bodies of revolution
+    bool rings; ///< whether plane cells are rings of a body of revolution
   };
 
-  /** The geometry of a batch of cells: for each lane, side by side,
-   * ∂ξ_d/∂x_e of the unit cell's coordinates ξ, and the volume ratio; of rings
-   * 1/x₁ besides. */
+  /** Geometry of a batch of cells: ∂ξ_d/∂x_e of the unit cell's coordinates ξ,
+   * the ratio of volumes and, for rings, 1/x₁. The numbers of the lanes are
+   * adjacent. */
   struct BatchGeometry
   {
     enum class Shape
     {
-      brick,          ///< only ∂ξ_d/∂x_d, the same at all points
-      parallelepiped, ///< the same at all points
-      other           ///< point by point
+      brick,          ///< only ∂ξ_d/∂x_d, constant in a cell
+      parallelepiped, ///< ∂ξ_d/∂x_e constant in a cell
+      other           ///< ∂ξ_d/∂x_e at each point
     };
 
-    std::size_t start; ///< among the numbers of all batches
+    std::size_t start; ///< offset in the numbers of all batches
     Shape       shape;
   };
 
-  /** Cells of the same kind; batches of as many as there are lanes. */
+  /** Cells of one kind in batches, with one cell in each lane of a batch. */
   template <typename Real>
   struct CellBatches
   {
     unsigned int n_cells;
 
-    /** For the nodes of each cell, x fastest, the index of the first component
-     * in a vector; those of the last cell again for lanes without a cell. */
+    /** Index of the first component in a vector for each node of each cell, x
+     * fastest; lanes without a cell repeat the last cell. */
     const unsigned int  *first_indices;
     const BatchGeometry *geometries;
     const Real          *geometry_values;
   };
 
-  /** K at the points of batches of cells. */
+  /** Moduli K at the points of batches of cells. */
   template <typename Real>
   struct BatchModuli
   {
-    bool        is_isotropic; ///< λ and μ, else the lower triangle of K
-    std::size_t per_batch;    ///< numbers to the next one, 0: one K for all
-    std::size_t per_point;    ///< 0: one K for a cell
-    const Real *values;       ///< those of all lanes side by side
+    bool is_isotropic; ///< values: λ and μ; otherwise the lower triangle of K
+    std::size_t per_batch; ///< stride between batches; 0: one K for all
+    std::size_t per_point; ///< stride between points; 0: one K for a cell
+    const Real *values;    ///< moduli, with the numbers of the lanes adjacent
   };
 
   /**
-   * Loops over batches of cells, in each lane of the CPU's registers one
-   * cell, with sum factorisation (Kronbichler and Kormann, Computers & Fluids
-   * 63, 2012). Constraints are the caller's affair.
+   * Loops over batches of cells, with one cell in each lane of the CPU's
+   * registers and sum factorisation (Kronbichler and Kormann, Computers &
+   * Fluids 63, 2012). The caller applies constraints.
    *
-   * There are several sets of them, for registers of different width; each is
-   * compiled with the instructions that these need, and the widest that the CPU
-   * has is chosen when the program runs. None of these instructions gets into
-   * other parts of the program: a file compiled with them includes this header
-   * and those of the loops, whose functions are all in an unnamed namespace. It
-   * has no inline function with external linkage, of which the linker would
-   * keep one copy for the whole program. That is also why deal.II's own lanes,
-   * whose width is part of the types of its headers, are not used.
+   * There is a set of kernels for each width of registers, compiled with the
+   * instructions for this width; the widest that the CPU has is chosen when the
+   * program runs. None of these instructions gets into other parts of the
+   * program: a file compiled with them includes this header and those of the
+   * loops, whose functions are all in an unnamed namespace. This header has no
+   * inline function with external linkage, of which the linker would keep one
+   * copy for the whole program. For the same reason the lanes of deal.II are
+   * not used: their width is part of the types of its headers.
    */
   template <typename Real>
   struct CellKernels
   {
     unsigned int n_lanes;
 
-    /** result += ∫ DᵀK D v */
+    /** Multiplies by the stiffness: result += ∫ DᵀK D v */
     void (*multiply)(const CellBatches<Real> &cells,
                      const BatchModuli<Real> &moduli,
                      const Real              *v,
                      Real                    *result);
 
-    /** D v of one batch: for each point and component the lanes. */
+    /** strains = D v of one batch: for each point and component the lanes. */
     void (*strains)(const CellBatches<Real> &cells,
                     const Real              *v,
                     Real                    *strains);
 
-    /** force += ∫ Dᵀ s of one batch, for stresses laid out likewise. */
+    /** force += ∫ Dᵀ s of one batch, for stresses in the layout of strains. */
     void (*add_transpose)(const CellBatches<Real> &cells,
                           const Real              *stresses,
                           Real                    *force);
@@ -98,18 +98,18 @@ namespace Crevasse
   bool
   has_lane_width(const unsigned int bytes);
 
-  /** What cells that are set up from now on use; at first the widest, or the
-   * widest of at most so many bytes as the environment variable
-   * CREVASSE_LANE_BYTES says. */
+  /** Sets the register width in bytes of kernels that are chosen later. The
+   * default is the widest that the CPU has, at most the environment variable
+   * CREVASSE_LANE_BYTES. */
   void
   set_lane_width(const unsigned int bytes);
 
-  /** With the width that is set. */
+  /** Kernels for a kind of element with the current register width. */
   template <typename Real>
   CellKernels<Real>
   cell_kernels(const CellKind &kind);
 
-  /** Those of each width, in a file of its own. */
+  /** Kernels for a register width, defined in a file for each width. */
   template <unsigned int bytes, typename Real>
   CellKernels<Real>
   kernels_of_width(const CellKind &kind);

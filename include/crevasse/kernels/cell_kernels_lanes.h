@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Crevasse authors
 
-// The loops of cell_kernels.h for registers of CREVASSE_LANE_BYTES bytes, which
-// each file that includes this one defines. No other header, not even of the
-// standard library: see CellKernels.
+// Kernels of cell_kernels.h for registers of CREVASSE_LANE_BYTES bytes, a macro
+// of the including file. Include no other header, not even of the standard
+// library: see CellKernels.
 
 #include <crevasse/kernels/cell_kernels.h>
 #include <crevasse/kernels/cell_kernels_points.h>
@@ -35,7 +35,7 @@ namespace Crevasse
 
       static constexpr int n_nodes = power(n, dim);
 
-      // Before those at the points, values at nodes have the first places.
+      // Values at nodes use the first entries of Values, later overwritten.
 
       static void
       gather(const unsigned int *first_indices, const Real *v, Values &values)
@@ -69,9 +69,9 @@ namespace Crevasse
           add(n_cells);
       }
 
-      /** The operation on all lines along a direction, from n_in values on each
-       * to n_out, where one step along the line is @p stride. May be done in
-       * place. */
+      /** Applies an operation to all lines along a direction, from n_in values
+       * on each line to n_out, with @p stride between the values of a line.
+       * Works in place. */
       template <int n_in, int n_out, int stride, bool adds, typename Operation>
       static inline void
       on_lines(const int n_blocks, const V *in, V *out)
@@ -92,8 +92,8 @@ namespace Crevasse
             }
       }
 
-      /** From values at the nodes to those at the points and to gradients with
-       * respect to the unit cell's coordinates there. */
+      /** Interpolates values from nodes to points, and computes gradients there
+       * in the unit cell's coordinates. */
       static void
       evaluate(Values &values, Gradients &gradients)
       {
@@ -122,7 +122,7 @@ namespace Crevasse
           }
       }
 
-      /** The transpose; the values at points are those of rings. */
+      /** Transpose of evaluate(). Only rings use values at points. */
       static void
       integrate(const Gradients &gradients, Values &values)
       {
@@ -237,7 +237,7 @@ namespace Crevasse
         return Kernel<dim, 2, 2, true, Real>::kernels;
       if constexpr (dim == 2 && sizeof(Real) == sizeof(double))
         {
-          // With singular functions; only D and its transpose are called.
+          // Elements with singular functions use only D and its transpose.
           if (kind.degree == 1 && kind.n_points == 3)
             return Kernel<dim, 2, 3, false, Real>::kernels;
           if (kind.degree == 2 && kind.n_points == 4)

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Crevasse authors
 
-// Part of cell_kernels_lanes.h: no other header, see CellKernels.
+// Part of cell_kernels_lanes.h: include no other header, see CellKernels.
 
 namespace Crevasse
 {
@@ -13,7 +13,7 @@ namespace Crevasse
       return exponent == 0 ? 1 : base * power(base, exponent - 1);
     }
 
-    /** Gauss's rule on [0,1]. */
+    /** Points and weights of Gauss's rule on [0,1]. */
     template <int n>
     struct Gauss;
     template <>
@@ -46,8 +46,8 @@ namespace Crevasse
 
 
 
-    /** Lagrange's polynomials of n nodes, at equal distances in [0,1], at
-     * Gauss's points, and the derivatives of those of the points themselves. */
+    /** Values at Gauss's points of the Lagrange polynomials of n equidistant
+     * nodes in [0,1], and derivatives of those whose nodes are these points. */
     template <int n, int n_points>
     struct Basis
     {
@@ -82,19 +82,18 @@ namespace Crevasse
 
 
 
-    /** The matrices of one direction for the n values on a line of nodes or
-     * points, and their transposes. For two and three points they are written
-     * with sums and differences of opposite values, which have half of the
-     * products. */
+    /** Matrices of interpolation and differentiation along a line of nodes or
+     * points, and their transposes. For two and three points they use sums and
+     * differences of opposite values, which halves the number of products. */
     template <int n, int n_points, typename Real>
     struct Line
     {
-      // (As argument of a template it would lose the attribute.)
+      // (Template arguments lose the attribute, so V is not one.)
       using V __attribute__((vector_size(CREVASSE_LANE_BYTES))) = Real;
 
       static constexpr Basis<n, n_points> basis{};
 
-      /** From nodes to points. */
+      /** Interpolation from nodes to points. */
       struct Interpolate
       {
         static inline void
@@ -142,7 +141,7 @@ namespace Crevasse
         }
       };
 
-      /** From values at points to derivatives there. */
+      /** Derivatives at points from values at points. */
       struct Differentiate
       {
         static inline void

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Crevasse authors
 
-// Part of cell_kernels_lanes.h: no other headers, see CellKernels.
+// Part of cell_kernels_lanes.h: include no other header, see CellKernels.
 
 #include <crevasse/kernels/cell_kernels.h>
 #include <crevasse/kernels/cell_kernels_lines.h>
@@ -10,7 +10,7 @@ namespace Crevasse
 {
   namespace
   {
-    /** What happens at the points of a batch of cells. */
+    /** Operations at the points of a batch of cells. */
     template <int  dim,
               int  n_points_1d,
               bool mean_volume,
@@ -19,7 +19,7 @@ namespace Crevasse
     struct PointKernel
     {
       using V __attribute__((vector_size(CREVASSE_LANE_BYTES))) = Real;
-      using Stored __attribute__((may_alias)) = V; ///< in arrays of Real
+      using Stored __attribute__((may_alias)) = V; ///< V in arrays of Real
 
       using Shape  = BatchGeometry::Shape;
       using Cells  = CellBatches<Real>;
@@ -56,7 +56,7 @@ namespace Crevasse
       };
       static constexpr Weights weights{};
 
-      /** ∂ξ_d/∂x_e and the volume of the points of a batch. */
+      /** Geometry at points of a batch: ∂ξ_d/∂x_e, volume, inverse radius. */
       template <bool is_brick>
       struct Geometry
       {
@@ -86,7 +86,7 @@ namespace Crevasse
         }
       };
 
-      /** Calls f with the geometry of a batch. */
+      /** Calls @p f with the geometry of a batch. */
       template <typename Function>
       static inline void
       with_geometry(const Cells       &cells,
@@ -106,8 +106,8 @@ namespace Crevasse
                               : 0});
       }
 
-      /** The mean over the cells of a third of the trace of what is given at
-       * the points replaces that at each point. */
+      /** Replaces a third of the trace of strains or stresses at each point by
+       * its mean over the cell. */
       template <typename Geometry>
       static void
       make_trace_constant(const Geometry &geometry, Strains &values)
@@ -127,7 +127,7 @@ namespace Crevasse
             values[q][i] += mean - thirds[q];
       }
 
-      /** @param values those at the points. */
+      /** Strains from gradients in the unit cell and, for rings, values. */
       template <bool is_brick>
       static void
       to_strains(const Geometry<is_brick> &geometry,
@@ -165,7 +165,7 @@ namespace Crevasse
           make_trace_constant(geometry, strains);
       }
 
-      /** The transpose, with the volumes. Only rings have values. */
+      /** Transpose of to_strains(), times volumes; only rings have values. */
       template <bool is_brick>
       static void
       from_stresses(const Geometry<is_brick> &geometry,
@@ -202,7 +202,7 @@ namespace Crevasse
           }
       }
 
-      /** From strains to stresses, in place. */
+      /** Multiplies strains by the moduli, in place: the result is stresses. */
       static void
       apply_moduli(const Moduli &moduli, const unsigned int batch, Strains &s)
       {

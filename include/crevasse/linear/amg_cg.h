@@ -11,18 +11,18 @@
 
 namespace Crevasse
 {
-  /** Conjugate gradients with smoothed aggregation (Trilinos ML) as
-   * preconditioner, on any number of ranks. */
+  /** Conjugate gradients preconditioned by smoothed aggregation (Trilinos ML),
+   * on any number of ranks. */
   class AmgCg : public ConjugateGradients
   {
   public:
     /**
-     * Sets the multigrid hierarchy up.
+     * Sets up the multigrid hierarchy.
      *
-     * @param near_null_space vectors of small energy, which the coarse spaces
-     * are to contain: the rigid motions.
-     * @param block_size numbers of unknowns at a node; consecutive in A.
-     * @param higher_order whether the elements are of degree 2 or more.
+     * @param near_null_space Vectors of small energy for the coarse spaces: the
+     * rigid-body modes.
+     * @param block_size Number of unknowns at a node, consecutive in A.
+     * @param higher_order Whether the elements have degree 2 or more.
      */
     AmgCg(const Matrix              &matrix,
           const std::vector<Vector> &near_null_space,

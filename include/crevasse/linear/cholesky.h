@@ -14,27 +14,27 @@ namespace Crevasse
   class Cholesky : public DirectSolver
   {
   public:
-    /** A factor and CHOLMOD's settings and workspace; keeps cholmod.h out of
-     * every includer. */
+    /** A factor with CHOLMOD's settings and workspace; keeps cholmod.h out of
+     * other headers. */
     struct Factor;
 
-    /** Factorises.
+    /** Factorises a matrix.
      *
-     * @param lip see DirectSolver.
-     * @param same_pattern the analysis of a matrix with the same pattern and
-     * lip, or null. @throw NumericalError if the matrix is not positive
-     * definite; SceneError on several ranks. */
+     * @param lip See DirectSolver.
+     * @param same_pattern Analysis of a matrix with the same pattern and lip,
+     * or null. @throw NumericalError if the matrix is not positive definite;
+     * SceneError on several ranks. */
     explicit Cholesky(const Matrix                 &matrix,
                       const Indices                &lip          = {},
                       std::shared_ptr<const Factor> same_pattern = nullptr);
     ~Cholesky() override;
 
-    /** @throw SceneError on several ranks. */
+    /** Checks the number of ranks. @throw SceneError if there are several. */
     static void
     require_one_process(const MPI_Comm communicator);
 
-    /** Ordering and pattern, without numbers, for other matrices with the same
-     * pattern. */
+    /** Symbolic analysis (ordering and pattern), for other matrices with the
+     * same pattern. */
     std::shared_ptr<const Factor>
     analysis() const
     {
@@ -57,7 +57,7 @@ namespace Crevasse
                         const LipProblem &lip_problem) override;
 
   private:
-    /** Takes the lip's part of the factor for Σ. */
+    /** Computes Σ from the lip's part of the factor. */
     void
     condense();
 

@@ -11,17 +11,17 @@
 
 namespace Crevasse
 {
-  /** What all solvers by conjugate gradients have in common: they differ in A
-   * and its preconditioner. */
+  /** Base class of solvers by conjugate gradients, which differ in A and its
+   * preconditioner. */
   class ConjugateGradients : public LinearSolver
   {
   public:
-    /** At most 1000 iterations; what they reached is judged by the caller.
-     * Collective.
+    /** Runs at most 1000 iterations of conjugate gradients; the caller judges
+     * the result. Collective.
      *
-     * @param A @p B the operator and its preconditioner: f(product, v).
-     * @param[in,out] solution where they start and end.
-     * @param residual_norm the l₂ norm at which they end. */
+     * @param A @p B Operator and preconditioner: f(product, v).
+     * @param[in,out] solution Initial guess, then result.
+     * @param residual_norm l₂ norm at which iterations end. */
     template <typename Operator, typename Preconditioner>
     static dealii::SolverControl
     iterate(const Operator       &A,
@@ -57,7 +57,7 @@ namespace Crevasse
     }
 
   protected:
-    /** result = A v */
+    /** Multiplies by the operator: result = A v. */
     virtual void
     multiply(Vector &result, const Vector &v) const = 0;
 
@@ -67,7 +67,7 @@ namespace Crevasse
                   const double  residual_norm) override;
 
   private:
-    /** As deal.II wants it. */
+    /** Adapter that gives a function the interface of deal.II's operators. */
     template <typename Function>
     struct Product
     {

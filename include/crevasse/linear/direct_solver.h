@@ -14,15 +14,15 @@
 namespace Crevasse
 {
   /**
-   * What all solvers by a factorisation have in common: a solve is exact and
-   * costs a back-solve. The unknowns of the lip are eliminated last, so that
-   * with the other ones, I, eliminated, the problem is one on the lip alone,
+   * Base class of solvers by a factorisation: a solve is exact and costs a
+   * back-solve. The unknowns of the lip are eliminated last. With all other
+   * unknowns, I, eliminated, a problem on the lip alone remains,
    *
    *     Σ q_L = c,      Σ = A_LL − A_LI A_II⁻¹ A_IL,
    *                     c = b_L − A_LI A_II⁻¹ b_I,
    *
-   * which may be solved there under whatever constraints hold on the lip,
-   * between the forward and the backward substitution.
+   * which may be solved under any constraints on the lip, between forward and
+   * backward substitution.
    */
   class DirectSolver : public LinearSolver
   {
@@ -30,25 +30,24 @@ namespace Crevasse
     using Indices   = std::vector<dealii::types::global_dof_index>;
     using LipVector = dealii::Vector<double>;
 
-    /** Overwrites c by q_L. */
+    /** Function that solves a problem on the lip: overwrites c by q_L. */
     using LipProblem = std::function<void(LipVector &on_lip)>;
 
-    /** @param lip the unknowns of the lip, of all ranks, the same on each. */
+    /** @param lip Unknowns of the lip on all ranks, the same list on each. */
     explicit DirectSolver(const Indices &lip)
       : lip(lip)
     {
     }
 
-    /** A q = b, but for what @p lip_problem does on the lip, whose unknowns
-     * come in the order in which the constructor got them. With several ranks
-     * each solves the problem on the lip. It counts as one solve.
-     * Collective. */
+    /** Solves A q = b, where @p lip_problem solves for the lip, whose unknowns
+     * have the order of the constructor's argument. Each rank solves the
+     * problem on the lip. Counts as one solve. Collective. */
     void
     solve_with_lip(Vector           &solution,
                    const Vector     &right_hand_side,
                    const LipProblem &lip_problem);
 
-    /** Σ, on all ranks. */
+    /** Condensed stiffness Σ of the lip, on all ranks. */
     const dealii::LAPACKFullMatrix<double> &
     lip_stiffness() const
     {
@@ -73,7 +72,7 @@ namespace Crevasse
       return 0;
     }
 
-    /** As solve_with_lip(), for the locally owned entries. */
+    /** Implements solve_with_lip() for the locally owned entries. */
     virtual void
     back_solve_with_lip(double           *solution,
                         const double     *right_hand_side,

@@ -14,9 +14,8 @@
 
 namespace Crevasse
 {
-  /** A symmetric positive definite A, of which most solvers need to know no
-   * more than what it does to a vector: whether it is a matrix or a loop over
-   * cells is its own affair. */
+  /** A symmetric positive definite operator A. Most solvers need only its
+   * products with vectors: it may be a matrix or a loop over cells. */
   class LinearOperator
   {
   public:
@@ -25,31 +24,31 @@ namespace Crevasse
 
     virtual ~LinearOperator() = default;
 
-    /** result = A v. Collective. */
+    /** Applies the operator: result = A v. Collective. */
     virtual void
     vmult(Vector &result, const Vector &v) const = 0;
 
-    /** The diagonal of A, or positive numbers of its size. */
+    /** Diagonal of A, or positive numbers of similar size. */
     virtual const Vector &
     diagonal() const = 0;
 
-    /** For each of the locally owned @p rows those of @p columns that A couples
-     * with it, without itself: as a matrix those with an entry that is not 0,
-     * otherwise those that share a cell with it. Collective.
+    /** For each of the locally owned @p rows the other @p columns that A
+     * couples with it: by non-zero entries of a matrix, otherwise by a common
+     * cell. Collective.
      *
-     * @param rows a subset of the columns.
-     * @param columns ascending. */
+     * @param rows A subset of the columns.
+     * @param columns Ascending indices. */
     virtual std::vector<Indices>
     couplings(const Indices &rows, const Indices &columns) const = 0;
 
     virtual MPI_Comm
     get_mpi_communicator() const = 0;
 
-    /** A as a matrix, or null: it is none. */
+    /** A as a matrix, or null if A has no matrix. */
     virtual const Matrix *
     matrix() const = 0;
 
-    /** Bytes on this rank, besides those of a matrix. */
+    /** Bytes of the operator on this rank, without the matrix. */
     virtual std::size_t
     memory_consumption() const = 0;
   };

@@ -27,34 +27,33 @@ namespace Crevasse
     virtual ~LinearSolver() = default;
 
     /**
-     * Iterative solvers start from @p solution and end when |b − Ax|₂ is at
-     * most @p residual_norm, which depends on what the caller needs; direct
-     * solvers use neither.
+     * Solves A x = b. Iterative solvers start from @p solution and end when |b
+     * − Ax|₂ is at most @p residual_norm; direct solvers use neither.
      *
-     * @throw NumericalError if that residual is not reached.
+     * @throw NumericalError if this residual is not reached.
      */
     void
     solve(Vector       &solution,
           const Vector &right_hand_side,
           const double  residual_norm);
 
-    /** One application of a symmetric positive definite approximation of A⁻¹:
-     * exact for direct solvers. It is not counted as a solve. */
+    /** Applies a symmetric positive definite approximation of A⁻¹, which is
+     * exact for direct solvers. Not counted as a solve. */
     virtual void
     precondition(Vector &solution, const Vector &right_hand_side) = 0;
 
-    /** Makes precondition() one for A without the rows and columns of these
-     * unknowns, if the method can do that at no price. The right-hand side of
+    /** Makes precondition() approximate A without the rows and columns of these
+     * unknowns, if the method can do that at no cost. The right-hand side of
      * precondition() must vanish there. Collective.
      *
-     * @param dofs locally owned ones. */
+     * @param dofs Locally owned unknowns. */
     virtual void
     hold(
       [[maybe_unused]] const std::vector<dealii::types::global_dof_index> &dofs)
     {
     }
 
-    /** Whether solve() is exact, at the price of a back-solve. */
+    /** Whether solve() is exact at the cost of a back-solve. */
     virtual bool
     is_direct() const = 0;
 
@@ -64,22 +63,22 @@ namespace Crevasse
       return solves;
     }
 
-    /** Of the iterative solvers, over all solves. */
+    /** Number of iterations in all solves; 0 for direct solvers. */
     std::size_t
     n_iterations() const
     {
       return iterations;
     }
 
-    /** Bytes of the factor or the multigrid hierarchy, on this rank. */
+    /** Bytes of the factor or the multigrid hierarchy on this rank. */
     virtual std::size_t
     memory_consumption() const = 0;
 
-    /** For the log and the summary. */
+    /** Name of the method for the log and the summary. */
     virtual std::string
     description() const = 0;
 
-    /** The same of precondition(). */
+    /** Name of the preconditioner for the log and the summary. */
     virtual std::string
     preconditioner_description() const
     {
@@ -87,14 +86,14 @@ namespace Crevasse
     }
 
   protected:
-    /** Returns the number of iterations, 0 for direct solvers. */
+    /** Solves A x = b; returns the number of iterations, 0 if direct. */
     virtual unsigned int
     apply_inverse(Vector       &solution,
                   const Vector &right_hand_side,
                   const double  residual_norm) = 0;
 
     std::size_t solves          = 0;
-    double      bytes_per_solve = 0.; ///< of the factor, on this rank
+    double      bytes_per_solve = 0.; ///< bytes of the factor read on this rank
 
   private:
     std::size_t iterations = 0;

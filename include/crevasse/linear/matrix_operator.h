@@ -8,11 +8,11 @@
 
 namespace Crevasse
 {
-  /** An assembled A. */
+  /** LinearOperator of an assembled matrix. */
   class MatrixOperator : public LinearOperator
   {
   public:
-    /** The matrix must outlive this object. */
+    /** Makes an operator of a matrix, which must outlive it. */
     explicit MatrixOperator(const Matrix &matrix);
 
     void
@@ -50,19 +50,18 @@ namespace Crevasse
     Vector        matrix_diagonal;
   };
 
-  /** result = A v, by Epetra. Collective. The same as deal.II's vmult(), whose
-   * name in a library that GCC has compiled is not the one that Clang looks
-   * for.
+  /** result = A v, by Epetra. Collective. Replaces deal.II's vmult(), whose
+   * symbol in a library compiled by GCC is not the one that Clang looks for.
    *
-   * @param[out] result with the layout of the rows.
-   * @param v with that of the columns; ghosts are not read. */
+   * @param[out] result Vector with the layout of the rows.
+   * @param v Vector with the layout of the columns; ghosts are not read. */
   void
   multiply(const LinearOperator::Matrix &matrix,
            Vector                       &result,
            const Vector                 &v);
 
-  /** The rows of a matrix that one rank has all of, where they are: the entries
-   * of row i are those from starts[i] up to, but without, starts[i + 1]. */
+  /** View of the rows of a matrix on a single rank: the entries of row i are
+   * those from starts[i] up to, but without, starts[i + 1]. */
   struct MatrixRows
   {
     explicit MatrixRows(const LinearOperator::Matrix &matrix);

@@ -9,7 +9,7 @@
 namespace Crevasse
 {
   /**
-   * What geometric multigrid needs of the body and not of its material: coarser
+   * Levels of geometric multigrid, which do not depend on the material: coarser
    * meshes of the whole body (global coarsening: Becker and Braack 2000; Munch
    * et al., ACM Trans. Parallel Comput. 10, 2023), their displacement spaces,
    * and the transfer between them. Level 0 is the coarsest.
@@ -18,7 +18,7 @@ namespace Crevasse
   class MultigridLevels
   {
   public:
-    /** Both must outlive this object. Collective. */
+    /** Makes the levels. Both arguments must outlive them. Collective. */
     MultigridLevels(const Space<dim>           &space,
                     const QuadratureField<dim> &points);
 
@@ -40,19 +40,19 @@ namespace Crevasse
       return level < spaces.size() ? *coarse_points[level] : finest_points;
     }
 
-    /** Between a level, at least 1, and the next coarser one. */
+    /** Transfer between a level, at least 1, and the next coarser level. */
     const LevelTransfer<dim> &
     transfer(const unsigned int level) const
     {
       return *transfers[level - 1];
     }
 
-    /** The means of a stiffness over the cells of all levels but the finest.
+    /** Means of a stiffness over the cells of all levels but the finest.
      * Collective. */
     std::vector<PointValues<VoigtMatrix<dim>>>
     on_coarser_levels(const PointValues<VoigtMatrix<dim>> &stiffness) const;
 
-    /** Bytes on this rank, without the finest mesh and space. */
+    /** Bytes of the levels on this rank, without the finest mesh and space. */
     std::size_t
     memory_consumption() const;
 

@@ -9,14 +9,14 @@
 
 namespace Crevasse
 {
-  /** Sparse factorisation LDLᵀ by MUMPS, on any number of ranks. Not through
-   * Trilinos' Amesos, which has MUMPS compute LU, of twice the size, and solve
-   * for many right-hand sides one by one. */
+  /** Sparse factorisation LDLᵀ by MUMPS, on any number of ranks. Trilinos'
+   * Amesos is not used: it makes MUMPS compute LU, of twice the size, and
+   * solve many right-hand sides one by one. */
   class Mumps : public DirectSolver
   {
   public:
-    /** Factorises. @throw NumericalError if MUMPS fails, or the matrix is not
-     * positive definite. */
+    /** Factorises a matrix. @throw NumericalError if MUMPS fails, or the matrix
+     * is not positive definite. */
     explicit Mumps(const Matrix &matrix, const Indices &lip = {});
 
     std::size_t
@@ -44,7 +44,7 @@ namespace Crevasse
 
   private:
     MumpsInstance<double>            factor;
-    dealii::LAPACKFullMatrix<double> lip_factor; ///< of Σ
+    dealii::LAPACKFullMatrix<double> lip_factor; ///< factor of Σ
   };
 } // namespace Crevasse
 

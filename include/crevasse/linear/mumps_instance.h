@@ -20,8 +20,8 @@
 
 namespace Crevasse
 {
-  /** The entries on and above the diagonal in the rows of this rank, counted
-   * from 1 as MUMPS does. */
+  /** Entries on and above the diagonal in the rows of this rank, with indices
+   * from 1 as in MUMPS. */
   template <typename Number>
   struct UpperTriangle
   {
@@ -32,21 +32,21 @@ namespace Crevasse
   UpperTriangle<double>
   upper_triangle(const dealii::TrilinosWrappers::SparseMatrix &matrix);
 
-  /** Frees what exceptions left behind: see ~MumpsInstance(). To be called
-   * wherever one is caught and the run goes on, where all ranks have caught it.
+  /** Frees factors that exceptions left behind: see ~MumpsInstance(). Call this
+   * wherever all ranks have caught an exception and the run continues.
    * Collective. */
   void
   end_abandoned_factors();
 
   /**
-   * One instance of MUMPS: the factor LDLᵀ of a symmetric matrix, real or
-   * complex, of which each rank has some rows, without pivoting. Right-hand
-   * sides are gathered on the first rank, from which MUMPS takes them.
+   * One instance of MUMPS: the factor LDLᵀ without pivoting of a symmetric
+   * matrix, real or complex, whose rows are distributed over the ranks.
+   * Right-hand sides are gathered on the first rank for MUMPS.
    *
-   * Some unknowns, P, may be eliminated last, outside of MUMPS: the matrix is
-   * condensed onto them, and so is each right-hand side.
+   * Some unknowns, P, may be eliminated last, outside of MUMPS: the matrix and
+   * each right-hand side are condensed onto them.
    *
-   * MUMPS works by communication: whatever is called here is collective.
+   * All functions that call MUMPS are collective.
    */
   template <typename Number>
   class MumpsInstance
@@ -54,7 +54,7 @@ namespace Crevasse
   public:
     using Indices = std::vector<dealii::types::global_dof_index>;
 
-    /** Overwrites the right-hand side on P by the solution there. */
+    /** Function that overwrites the right-hand side on P by the solution. */
     using Problem = std::function<void(dealii::Vector<Number> &on_last)>;
 
     using Data = std::conditional_t<std::is_same<Number, double>::value,
@@ -62,14 +62,14 @@ namespace Crevasse
                                     ZMUMPS_STRUC_C>;
 
     /**
-     * Begins.
+     * Initialises MUMPS.
      *
-     * @param n_local rows of this rank, which follow on those of the ranks
-     * before.
-     * @param last P, of all ranks, the same on each.
-     * @param matrix_name for messages: "the stiffness".
-     * @param if_memory_is_short what to try then.
-     * @param otherwise what to try if it fails for another reason.
+     * @param n_local Number of rows of this rank, which follow the rows of
+     * lower ranks.
+     * @param last P on all ranks, the same list on each.
+     * @param matrix_name Name for messages: "the stiffness".
+     * @param if_memory_is_short Advice if memory is short.
+     * @param otherwise Advice after other failures.
      */
     MumpsInstance(const MPI_Comm     communicator,
                   const int          n_local,
@@ -80,47 +80,46 @@ namespace Crevasse
 
     MumpsInstance(const MumpsInstance &) = delete;
 
-    /** Frees the factor. That takes all ranks, which may be elsewhere while an
-     * exception is on its way: then end_abandoned_factors() does it. */
+    /** Frees the factor. This is collective, and ranks may be elsewhere while
+     * an exception propagates: then end_abandoned_factors() frees it. */
     ~MumpsInstance();
 
-    /** A setting, with its number in MUMPS' manual. */
+    /** Control parameter ICNTL of MUMPS, by its number in the manual. */
     int &
     icntl(const unsigned int number)
     {
       return data.icntl[number - 1];
     }
 
-    /** Numbers as MUMPS names them. */
+    /** Pointer to numbers, with MUMPS' type. */
     static auto
     for_mumps(std::vector<Number> &values)
     {
       return reinterpret_cast<decltype(Data::rhs)>(values.data());
     }
 
-    /** Analyses and factorises, in as much memory as that takes.
-     * @throw NumericalError */
+    /** Analyses and factorises the matrix in the memory that this takes. */
     void
     factorise(UpperTriangle<Number> &triangle);
 
     /** Solves in place on the first rank.
      *
-     * @param problem on P, called on all ranks, where it must not
+     * @param problem Problem on P, called on all ranks, where it must not
      * communicate; not used if P is empty.
      * @throw NumericalError */
     void
     solve(std::vector<Number> &on_root, const Problem &problem);
 
-    /** Of P, on all ranks: the inverse of what A⁻¹ has in the rows and columns
-     * of P. */
+    /** Schur complement of P, on all ranks: the inverse of the block of A⁻¹ in
+     * the rows and columns of P. */
     dealii::LAPACKFullMatrix<Number> schur_complement;
 
-    /** The first rank gets all entries of a vector of which the ranks have
-     * their parts, and nothing the others. */
+    /** Gathers a distributed vector on the first rank; the other ranks get an
+     * empty vector. */
     std::vector<Number>
     gather(const Number *local) const;
 
-    /** The other way. */
+    /** Distributes a vector from the first rank to all ranks. */
     void
     scatter(const std::vector<Number> &on_root, Number *local) const;
 
@@ -130,14 +129,14 @@ namespace Crevasse
       return !counts.empty();
     }
 
-    /** Of the factor, on this rank. */
+    /** Bytes of the factor on this rank. */
     std::size_t
     memory_consumption() const
     {
       return bytes;
     }
 
-    /** What MUMPS' manual describes. */
+    /** Data structure described in MUMPS' manual. */
     Data data = {};
 
     const MPI_Comm communicator;
@@ -150,9 +149,9 @@ namespace Crevasse
     require(const char *what) const;
 
     const int         n_local;
-    std::vector<int>  last; ///< P, counted from 1
+    std::vector<int>  last; ///< unknowns P, from 1
     const std::string matrix_name, if_memory_is_short, otherwise;
-    std::vector<int>  counts, starts; ///< of all ranks; the first knows them
+    std::vector<int>  counts, starts; ///< rows of each rank, on the first
     std::size_t       bytes = 0;
   };
 } // namespace Crevasse

@@ -9,11 +9,11 @@
 namespace Crevasse
 {
   /**
-   * Compares A v with ∫ DᵀK D v, by the strain operator with which stresses and
-   * loads are computed, for one v without smoothness; and D and Dᵀ, whose
-   * geometry and constraints A shares, with those of the assembly in up to 100
-   * cells of each rank: where contact is solved with A and its certificate too,
-   * an error of A would pass unseen. Costs about three products. Collective.
+   * Checks a StiffnessOperator A. Compares A v with ∫ DᵀK D v by the
+   * StrainOperator of stresses and loads, for one non-smooth v; and D and Dᵀ,
+   * whose geometry and constraints A shares, with those of the assembly in up
+   * to 100 cells of each rank. Contact and its certificate both use A, so that
+   * an error of A would not be noticed. Costs about three products. Collective.
    *
    * @param stiffness K from which A was made.
    * @throw NumericalError if A v differs by more than 1e-10 in the l₂ norm, or

@@ -11,16 +11,15 @@
 
 namespace Crevasse
 {
-  // K at a quadrature point in as few numbers as it has, as CellKernels want
-  // them.
+  // Storage of K at a quadrature point in few numbers, for CellKernels.
 
-  /** Six products instead of 36. */
+  /** Isotropic moduli: six products per point instead of 36. */
   template <int dim>
   struct IsotropicModuli
   {
     static constexpr unsigned int n_values = 2;
 
-    /** Lamé's constants. */
+    /** Lamé's constants λ and μ. */
     std::array<double, n_values> values;
 
     explicit IsotropicModuli(const VoigtMatrix<dim> &K)
@@ -28,10 +27,10 @@ namespace Crevasse
     {
     }
 
-    /** Whether K is isotropic but for rounding.
+    /** Whether K is isotropic up to rounding.
      *
-     * @param with_out_of_plane whether in the plane the strain and stress of
-     * the third direction count. */
+     * @param with_out_of_plane Whether strain and stress of the third direction
+     * count in the plane. */
     static bool
     represents(const VoigtMatrix<dim> &K, const bool with_out_of_plane)
     {
@@ -52,14 +51,14 @@ namespace Crevasse
 
 
 
-  /** Any symmetric K. */
+  /** Moduli of any symmetric K. */
   template <int dim>
   struct GeneralModuli
   {
     static constexpr unsigned int n_values =
       n_stress_components<dim> * (n_stress_components<dim> + 1) / 2;
 
-    /** The lower triangle, row by row. */
+    /** Lower triangle of K, row by row. */
     std::array<double, n_values> values;
 
     explicit GeneralModuli(const VoigtMatrix<dim> &K)

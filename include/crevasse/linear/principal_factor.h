@@ -14,37 +14,37 @@ namespace Crevasse
   class StateArchive;
 
   /**
-   * The Cholesky factor RᵀR of those rows and columns of a symmetric positive
-   * definite matrix that belong to a set, which changes from solve to solve.
+   * Cholesky factor RᵀR of the rows and columns in a set of a symmetric
+   * positive definite matrix. The set changes from solve to solve.
    *
-   * What enters the set is appended. What leaves it costs the rows of R that
-   * come after it, which are then appended in the opposite order: where a front
-   * runs back and forth over the numbers, the next ones to leave are always the
-   * last in the factor, and cost nothing.
+   * An index that enters the set is appended. Removing an index costs the rows
+   * of R after it, which are then appended in reverse order: where a front
+   * moves back and forth over the indices, the next ones to leave are always
+   * the last in the factor, and cost nothing.
    */
   class PrincipalFactor
   {
   public:
-    /** @param matrix must outlive this object: it is large. */
+    /** @param matrix Matrix, which must outlive this object: it is large. */
     explicit PrincipalFactor(const dealii::LAPACKFullMatrix<double> &matrix)
       : matrix(matrix)
     {
     }
 
-    /** Makes it the factor of this set. @throw NumericalError if the matrix is
+    /** Factorises the matrix on a set. @throw NumericalError if the matrix is
      * not positive definite. */
     void
     choose(const std::vector<bool> &set);
 
-    /** x_J ← A_JJ⁻¹ x_J on the set J. The other entries become zero. */
+    /** Solves on the set J: x_J ← A_JJ⁻¹ x_J. Other entries become zero. */
     void
     solve(dealii::Vector<double> &x);
 
-    /** Computed once more it might differ in the last digit. */
+    /** Serialises the factor: computed again, its last digits may differ. */
     void
     serialize(StateArchive &archive);
 
-    /** Without the matrix. */
+    /** Bytes of the factor, without the matrix. */
     std::size_t
     memory_consumption() const
     {
@@ -54,11 +54,11 @@ namespace Crevasse
     const dealii::LAPACKFullMatrix<double> &matrix;
 
   private:
-    /** Completes R for all of the order but the first @p n_known. */
+    /** Computes the columns of R after the first @p n_known. */
     void
     extend(const unsigned int n_known);
 
-    std::vector<unsigned int> order; ///< of the set in R
+    std::vector<unsigned int> order; ///< indices of the set in the order of R
     std::vector<double>       values, on_set;
   };
 } // namespace Crevasse

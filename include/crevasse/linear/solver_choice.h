@@ -10,14 +10,14 @@
 
 namespace Crevasse
 {
-  /** Which solver, and why. */
+  /** A selected solver and the reason. */
   template <typename Type>
   struct SolverChoiceOf
   {
     Type        type;
     std::string why;
 
-    /** "cholesky (why)". */
+    /** The choice as text, "cholesky (why)". */
     std::string
     describe() const
     {
@@ -28,23 +28,23 @@ namespace Crevasse
   using LinearSolverChoice  = SolverChoiceOf<LinearSolverType>;
   using ContactSolverChoice = SolverChoiceOf<ContactSolverType>;
 
-  /** Above this many unknowns a factor takes more memory, or its making more
-   * time, than the solves of a run are worth. */
+  /** Largest number of unknowns for a factorisation: above it, its memory or
+   * time exceed what the solves of a run are worth. */
   std::size_t
   largest_factorised(const unsigned int dimension);
 
-  /** What is fastest for a matrix of this size, by the measurements in
+  /** Fastest solver for a matrix of this size, by the measurements in
    * doc/contact_solvers.md: a factorisation, or CG + ML. */
   LinearSolverChoice
   choose_matrix_solver(const unsigned int dimension,
                        const std::size_t  n_unknowns,
                        const unsigned int n_ranks);
 
-  /** Makes a solver of that type for a matrix.
+  /** Makes a linear solver for a matrix.
    *
-   * @param lip for a DirectSolver.
-   * @param analysis of a matrix with the same pattern and lip for Cholesky, or
-   * null: then that of this one. */
+   * @param lip Lip of a DirectSolver.
+   * @param analysis Cholesky analysis of a matrix with the same pattern and
+   * lip; if null, set to the analysis of this matrix. */
   template <int dim>
   std::unique_ptr<LinearSolver>
   make_matrix_solver(const LinearSolverType                   type,
@@ -53,10 +53,10 @@ namespace Crevasse
                      const DirectSolver::Indices             &lip,
                      std::shared_ptr<const Cholesky::Factor> &analysis);
 
-  /** What the scene asks for or, if that is "automatic", what is fastest by
-   * the measurements in doc/contact_solvers.md and doc/scaling.md.
+  /** The scene's solver; for "automatic" the fastest, by the measurements in
+   * doc/contact_solvers.md and doc/scaling.md.
    *
-   * @param has_coarser_meshes and nothing needs a matrix: gmg can be had. */
+   * @param has_coarser_meshes Whether gmg can be used (no matrix needed). */
   LinearSolverChoice
   choose_linear_solver(const LinearSolverParameters &parameters,
                        const unsigned int            dimension,

@@ -9,15 +9,15 @@
 
 namespace Crevasse
 {
-  /** A as products: see StiffnessProduct. */
+  /** Matrix-free LinearOperator of the stiffness A: see StiffnessProduct. */
   template <int dim>
   class StiffnessOperator : public LinearOperator
   {
   public:
-    /** Without singular functions.
+    /** Does not support singular functions.
      *
-     * @param space must outlive this object.
-     * @param stiffness K at the quadrature points; a copy is made. */
+     * @param space Must outlive this object.
+     * @param stiffness K at the quadrature points, which is copied. */
     StiffnessOperator(const Space<dim>                    &space,
                       const QuadratureField<dim>          &points,
                       const PointValues<VoigtMatrix<dim>> &stiffness);
@@ -52,7 +52,7 @@ namespace Crevasse
   private:
     const Space<dim>                   &space;
     const StiffnessProduct<dim, double> product;
-    mutable Vector copy_of_v, copy_of_result; ///< if layouts differ
+    mutable Vector copy_of_v, copy_of_result; ///< used if layouts differ
   };
 } // namespace Crevasse
 

@@ -15,9 +15,9 @@
 namespace Crevasse
 {
   /**
-   * Products with A = ∫ DᵀKD in single or double precision: what
-   * assemble_stiffness() writes into a matrix, without the matrix. Rows and
-   * columns of constrained unknowns are those of the identity.
+   * Matrix-free products with A = ∫ DᵀKD, the matrix of assemble_stiffness(),
+   * in single or double precision. Rows and columns of constrained unknowns are
+   * those of the identity.
    */
   template <int dim, typename Real>
   class StiffnessProduct : public dealii::Subscriptor
@@ -25,16 +25,16 @@ namespace Crevasse
   public:
     using Vector = dealii::LinearAlgebra::distributed::Vector<Real>;
 
-    /** Work on a range of vector entries. */
+    /** Function that works on a range of vector entries. */
     using RangeFunction =
       std::function<void(const unsigned int, const unsigned int)>;
 
-    /** Without singular functions.
+    /** Does not support singular functions.
      *
-     * @param space must outlive this object.
-     * @param stiffness K at the quadrature points; a copy is made.
-     * @param unit of K. The product is that of A divided by it; in single
-     * precision lengths have the unit of CellLoops::length_unit() besides. */
+     * @param space Must outlive this object.
+     * @param stiffness K at the quadrature points, which is copied.
+     * @param unit Unit of K: the product is that of A / unit; in single
+     * precision, lengths have the unit of CellLoops::length_unit(). */
     StiffnessProduct(const Space<dim>                    &space,
                      const QuadratureField<dim>          &points,
                      const PointValues<VoigtMatrix<dim>> &stiffness,
@@ -46,30 +46,29 @@ namespace Crevasse
       loops->initialize(vector);
     }
 
-    /** Both with the layout of initialize(). Collective. */
+    /** result = A v, with the layout of initialize(). Collective. */
     void
     vmult(Vector &result, const Vector &v) const;
 
-    /** The same, with work before it and after it. */
+    /** result = A v, calling a function on ranges before and after. */
     void
     vmult(Vector              &result,
           const Vector        &v,
           const RangeFunction &before,
           const RangeFunction &after) const;
 
-    /** Makes these unconstrained rows and columns those of the identity, until
-     * others are named, for vectors that are zero there. (The diagonal stays
-     * what it is.)
+    /** Replaces these unconstrained rows and columns by the identity, until the
+     * next call, for vectors that are zero there. (The diagonal stays.)
      *
-     * @param rows local indices of locally owned unknowns. */
+     * @param rows Local indices of locally owned unknowns. */
     void
     hold(const std::vector<unsigned int> &rows)
     {
       held_rows = rows;
     }
 
-    /** 1 where constrained. The masters of hanging nodes have the squares of
-     * their weights times the diagonal of these only. */
+    /** Diagonal of A; 1 where constrained. Hanging nodes contribute only the
+     * squares of their weights times their diagonal to their masters. */
     const Vector &
     diagonal() const
     {
@@ -82,7 +81,7 @@ namespace Crevasse
       return operator_diagonal.size();
     }
 
-    /** A diagonal entry of this rank, for smoothers. */
+    /** Diagonal entry of this rank, for smoothers. */
     Real
     el(const dealii::types::global_dof_index row,
        const dealii::types::global_dof_index) const
@@ -90,7 +89,7 @@ namespace Crevasse
       return operator_diagonal(row);
     }
 
-    /** Without the loops that belong to the space. */
+    /** Bytes on this rank, without the loops, which belong to the space. */
     std::size_t
     memory_consumption() const;
 

@@ -13,39 +13,39 @@ struct cholmod_factor_struct;
 namespace Crevasse
 {
   /**
-   * Substitution with one right-hand side in a supernodal factor that CHOLMOD
-   * has made: columns with the same pattern are dense blocks, of a row for each
-   * entry of the pattern. The many small ones of plane problems cost CHOLMOD a
-   * sixth more, because it calls BLAS for each.
+   * Substitution with one right-hand side in a supernodal factor made by
+   * CHOLMOD: columns with the same pattern are dense blocks, with a row for
+   * each entry of the pattern. CHOLMOD calls BLAS for each of the many small
+   * blocks of plane problems and needs a sixth more time.
    *
-   * Both take the unknowns in the factor's order, and stop at a column, so that
-   * A = (A₁₁ A₁₂; A₂₁ A₂₂) is eliminated as far as there.
+   * Forward and backward substitution use the factor's order, and stop at a
+   * column: A = (A₁₁ A₁₂; A₂₁ A₂₂) is eliminated up to it.
    */
   class SupernodalFactor
   {
   public:
-    /** @param factor must outlive this object, and stay as it is. */
+    /** @param factor Must outlive this object, unchanged. */
     explicit SupernodalFactor(const cholmod_factor_struct &factor);
 
-    /** x₁ ← L₁₁⁻¹ x₁ for the columns before @p end, and x₂ ← x₂ − L₂₁ x₁. */
+    /** Forward substitution to @p end: x₁ ← L₁₁⁻¹ x₁, x₂ ← x₂ − L₂₁ x₁. */
     void
     forward(double *x, const int end);
 
-    /** x₁ ← L₁₁⁻ᵀ (x₁ − L₂₁ᵀ x₂). */
+    /** Backward substitution: x₁ ← L₁₁⁻ᵀ (x₁ − L₂₁ᵀ x₂). */
     void
     backward(double *x, const int end);
 
-    /** The lower triangle from the column @p begin on. */
+    /** Lower triangle of the factor from the column @p begin on. */
     dealii::FullMatrix<double>
     last_block(const int begin) const;
 
   private:
-    /** What a supernode has before a column. */
+    /** Columns of a supernode before a given column. */
     struct Block
     {
       int           first, n_columns, n_rows;
-      const double *values; ///< column by column
-      const int    *below;  ///< the rows after the triangle
+      const double *values; ///< entries, column by column
+      const int    *below;  ///< rows below the triangle
       int           n_below;
     };
 
@@ -56,7 +56,7 @@ namespace Crevasse
     const int    *columns, *row_starts, *value_starts, *rows;
     const double *values;
 
-    std::vector<double> work; ///< of the rows of a block
+    std::vector<double> work; ///< rows of a block
   };
 } // namespace Crevasse
 

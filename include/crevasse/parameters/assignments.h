@@ -8,29 +8,28 @@
 
 namespace Crevasse
 {
-  /** One parameter as somebody set it, whether or not it exists. */
+  /** A parameter as a file or an option sets it, whether or not it exists. */
   struct Assignment
   {
     Origin origin;
-    /** Names joined by "/" where sections are nested. */
+    /** Names of nested sections joined by "/". */
     std::string section;
-    /** Empty: the section is only opened here. */
+    /** Name of the parameter; empty where a section is only opened. */
     std::string name;
     std::string value;
   };
 
   /**
-   * What a .prm or .json file and then the command line set, without knowing
-   * what may be set. Other than deal.II, which stops at the first error, this
-   * goes on after what it does not understand and reports it all; and a
-   * parameter that one file sets twice is an error. Files are included
-   * relative to the file that includes them; an included file may set what
-   * another file sets as well; the later one counts.
+   * Reads the assignments of a .prm or .json file and then of the command line,
+   * without checking their names. deal.II stops at the first error; this
+   * function continues and reports all errors, also parameters that a file sets
+   * twice. Files are included relative to the file that includes them; an
+   * included file may set parameters of another file; the later value counts.
    *
    * JSON is what one writes by hand, {"Geometry": {"Width": 1, "Subdivisions":
    * [14, 4]}}, or what deal.II prints, where all values are texts, and a
-   * parameter may be an object whose member "value" counts. "$schema" is left
-   * to editors.
+   * parameter may be an object whose member "value" counts. "$schema" is
+   * ignored: editors use it.
    *
    * @param overrides "Section/Name=value" of --set.
    * @throw FileError if the file cannot be read.

@@ -8,40 +8,40 @@
 
 namespace Crevasse
 {
-  // What parameters that a scene leaves "automatic" are, where the scene alone
-  // decides that: as doc/accuracy.md recommends.
+  // Values of "automatic" parameters that the scene alone determines, as
+  // doc/accuracy.md recommends.
 
-  /** Numbers of cells of a built-in shape: squares of a seventh (in space of a
-   * quarter) of crack or ligament, but no more than 64 (24) cells in a
-   * direction. */
+  /** Automatic subdivisions of a built-in shape: squares with a side of a
+   * seventh (in space of a quarter) of crack or ligament, but at most 64 (24)
+   * cells in a direction. */
   std::vector<unsigned int>
   subdivisions(const GeometryParameters &geometry,
                const unsigned int        dimension);
 
-  /** [Discretisation] Singular functions. */
+  /** Value of [Discretisation] Singular functions, with the reason. */
   struct SingularFunctionChoice
   {
     unsigned int n;
     std::string  why;
   };
 
-  /** Two at the tip of a built-in crack, if nothing is against them. The scene
-   * must have passed its check. */
+  /** Automatic number of singular functions: two at the tip of a built-in
+   * crack, if nothing is against them. The scene must have passed its check. */
   SingularFunctionChoice
   singular_functions(const Scene &scene);
 
-  /** A setting that allows no singular functions, "Dimension = 3", and why not
-   * or what to do, with the punctuation before it; empty: there is none. */
+  /** A setting that forbids singular functions, such as "Dimension = 3", and
+   * the reason or advice with the punctuation before it; empty: none. */
   struct SingularFunctionObstacle
   {
     std::string setting, advice;
   };
 
-  /** The first one. */
+  /** First setting of a scene that forbids singular functions. */
   SingularFunctionObstacle
   obstacle_to_singular_functions(const Scene &scene);
 
-  /** [Output] Probes: one at the mouth of a built-in crack. */
+  /** Automatic [Output] Probes: one at the mouth of a built-in crack. */
   std::vector<NamedPoint>
   probes(const Scene &scene);
 } // namespace Crevasse

@@ -14,9 +14,9 @@
 
 namespace Crevasse
 {
-  /** Which boundary ids are clamped, symmetry planes, loaded and crack lips.
-   * What is in none of them is free of traction. Lips of contact touch rigid
-   * planes, those of a crack each other. */
+  /** Boundary ids that are clamped, symmetry planes, loaded, and crack lips.
+   * Other boundaries are traction-free. Lips of contact touch rigid planes,
+   * lips of a crack touch each other. */
   struct BoundaryRoles
   {
     std::set<dealii::types::boundary_id> clamped;
@@ -24,8 +24,8 @@ namespace Crevasse
     std::set<dealii::types::boundary_id> loaded;
     std::set<dealii::types::boundary_id> contact;
     std::set<dealii::types::boundary_id> crack;
-    /** Whether x₁ = 0 is the axis of a body of revolution: no radial
-     * displacement there, and hoops elsewhere. */
+    /** Whether x₁ = 0 is the axis of a body of revolution, where the radial
+     * displacement vanishes. */
     bool has_axis = false;
 
     bool
@@ -41,17 +41,17 @@ namespace Crevasse
     }
   };
 
-  /** The boundaries that a scene gives a role. */
+  /** Boundaries with one role, as a scene lists them. */
   struct BoundaryList
   {
     bool                                 is_automatic = false;
     std::set<dealii::types::boundary_id> ids;
-    std::vector<std::string>             names; ///< of physical groups
+    std::vector<std::string>             names; ///< names of physical groups
   };
 
-  /** "1, 2, upper lip", "none", or "automatic".
+  /** Parses a list of boundaries: "1, 2, upper lip", "none", or "automatic".
    *
-   * @throw SceneError that tells what is expected. */
+   * @throw SceneError that says what is expected. */
   BoundaryList
   parse_boundary_list(const std::string &text);
 
@@ -63,27 +63,27 @@ namespace Crevasse
     std::array<bool, dim> components;
   };
 
-  /** As in a scene, whose dimension is another parameter. */
+  /** Fixed points of a scene before the dimension is known. */
   struct FixedPointList
   {
     struct Entry
     {
       std::vector<double>    coordinates;
-      std::set<unsigned int> components; ///< from 1; empty: all
+      std::set<unsigned int> components; ///< components from 1; empty: all
     };
 
     bool               is_automatic = false;
     std::vector<Entry> entries;
   };
 
-  /** "x, y; x, y: 1", "none" or "automatic"; components count from 1, and a
-   * point that names none is fixed in all.
+  /** Parses fixed points: "x, y; x, y: 1", "none" or "automatic"; components
+   * count from 1, and a point without components is fixed in all.
    *
-   * @throw SceneError that tells what is expected. */
+   * @throw SceneError that says what is expected. */
   FixedPointList
   parse_fixed_points(const std::string &text);
 
-  /** @throw SceneError if there are other coordinates or components. */
+  /** Fixed points in dim dimensions. @throw SceneError if they do not fit. */
   template <int dim>
   std::vector<FixedPoint<dim>>
   to_fixed_points(const FixedPointList &list);

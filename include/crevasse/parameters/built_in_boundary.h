@@ -9,8 +9,8 @@
 namespace Crevasse
 {
   /** Boundary ids of the built-in shapes. The bottom is the crack plane x₂ = 0:
-   * `ligament` where the body goes on below it, `lip` along the crack. Only
-   * bodies in space have a `front`, x₃ = 0, and a `back`, x₃ = Thickness. */
+   * `lip` along the crack, `ligament` along the rest. Only bodies in space
+   * have a `front`, x₃ = 0, and a `back`, x₃ = Thickness. */
   namespace BoundaryIds
   {
     constexpr dealii::types::boundary_id left     = 0;
@@ -22,31 +22,31 @@ namespace Crevasse
     constexpr dealii::types::boundary_id back     = 6;
   } // namespace BoundaryIds
 
-  /** Where the tip (in space: the straight front) of the crack of a built-in
-   * shape lies along x₁; the lip is on its right (edge crack) or on its left
+  /** Coordinate x₁ of the crack tip (in space: of the straight crack front) of
+   * a built-in shape; the lip is on its right (edge crack) or on its left
    * (centre crack). */
   double
   tip_abscissa(const GeometryParameters &parameters);
 
-  /** What the user says wins: a role with a list of its own has this list, and
-   * loses nothing to the automatic ones; an id in such a list is taken out of
-   * the automatic lists of the other roles. */
+  /** Roles of boundary ids. A list of the user has precedence: it replaces the
+   * automatic list of its role, and its ids are removed from the automatic
+   * lists of other roles. */
   BoundaryRoles
   resolve_roles(const BoundaryParameters &parameters,
                 const BoundaryRoles      &automatic);
 
-  /** The roles that a built-in shape gives its boundary ids; none for a mesh
+  /** Automatic roles of the boundary ids of a built-in shape; none for a mesh
    * file. */
   BoundaryRoles
   built_in_roles(const GeometryParameters &parameters);
 
   /**
-   * The points that hold a built-in shape against the motions along the crack
-   * plane that clamped sides and symmetry planes leave free, and against no
-   * other: loads in equilibrium cause no force there. They lie on the crack
-   * tip or, without a crack, at the origin and above it.
+   * Fixed points that suppress the rigid-body motions along the crack plane
+   * which clamped sides and symmetry planes of a built-in shape allow, and no
+   * other motion: loads in equilibrium cause no force there. They lie on the
+   * crack tip or, without a crack, at the origin and above it.
    *
-   * @param roles what the boundary ids of the shape finally have.
+   * @param roles Final roles of the boundary ids of the shape.
    */
   template <int dim>
   std::vector<FixedPoint<dim>>

@@ -12,24 +12,24 @@
 
 namespace Crevasse
 {
-  /** What a scene file may contain: an object for each section, which has for
-   * each of its parameters "default_value", "documentation" and what is
-   * "allowed", in words such as "one of: vtu, none"; the sections "" is the top
-   * level. In the order in which they were declared. */
+  /** All parameters of a scene file in the order of declaration: an object for
+   * each section, with "default_value", "documentation" and "allowed" for each
+   * of its parameters, the last in words such as "one of: vtu, none"; the
+   * section "" is the top level. */
   using Catalogue = nlohmann::ordered_json;
 
-  /** Reads it off a ParameterHandler, which tells the names and the
-   * documentation of its entries only by printing them. */
+  /** Makes the catalogue from the printed entries of a ParameterHandler, which
+   * gives their names and documentation in no other way. */
   Catalogue
   make_catalogue(const dealii::ParameterHandler &prm);
 
-  /** Of deal.II's description of a pattern, or NumberPattern's, such as
-   * "[Integer range 0...9 (inclusive)]": "Integer", "0", "9", "inclusive". One
-   * of another form is the only part. */
+  /** Splits deal.II's description of a pattern, or NumberPattern's, such as
+   * "[Integer range 0...9 (inclusive)]", into "Integer", "0", "9",
+   * "inclusive". A description of another form is the only part. */
   std::vector<std::string>
   parts_of_pattern(const std::string &description);
 
-  /** The names of sections or parameters, without the top level. */
+  /** Names of sections or parameters in a catalogue, without the top level. */
   std::vector<std::string>
   names_in(const Catalogue &object);
 } // namespace Crevasse

@@ -12,7 +12,7 @@ namespace Crevasse
   class Checker
   {
   public:
-    /** Both arguments must outlive this object. */
+    /** Both arguments of the constructor must outlive the Checker. */
     Checker(const char *section, Problems &problems)
       : section(section)
       , problems(problems)
@@ -35,9 +35,9 @@ namespace Crevasse
       demand(parameter.is_valid(), name, parameter.error());
     }
 
-    /** A value that can be read.
+    /** Adds a problem if a value cannot be read.
      *
-     * @param read throws a SceneError that says what is expected. */
+     * @param read Throws a SceneError that says what is expected. */
     template <typename Read>
     void
     demand_readable(const char *name, const Read &read) const

@@ -9,8 +9,8 @@
 
 namespace Crevasse
 {
-  /** Which effects a scene calls for, decided once, each with its reason. What
-   * is off is not created: it costs neither time nor memory. */
+  /** Active and inactive effects of a scene, decided once, with reasons. An
+   * inactive effect is not created: it costs neither time nor memory. */
   struct Effects
   {
     struct Effect
@@ -22,63 +22,63 @@ namespace Crevasse
 
     Effect contact;
     Effect viscosity;
-    Effect secular_flow; ///< off until somebody who knows the loads decides
+    Effect secular_flow; ///< off until the loads are known
     Effect chain;
-    /** Those of MaterialParameters::free_strains(). */
+    /** Effects of MaterialParameters::free_strains(). */
     std::vector<Effect> free_strains;
-    Effect              varying_stiffness; ///< by a factor or freely
+    Effect              varying_stiffness; ///< in time, by a factor or freely
     Effect              varying_viscosity;
-    /** Those of LoadParameters::forces() in the volume. */
+    /** Effects of LoadParameters::forces() in the volume. */
     std::vector<Effect> volume_forces;
     Effect              singular_functions;
     Effect              stress_intensity;
     Effect              field_output;
 
-    /** @param temperature_varies whether [Loads] Temperature does in time. */
+    /** @param temperature_varies Whether [Loads] Temperature varies in time. */
     Effects(const Scene         &scene,
             const BoundaryRoles &roles,
             const bool           temperature_varies);
 
-    /** The first one that is on, or nullptr. */
+    /** First effect in a list that is on, or nullptr. */
     static const Effect *
     first_on(const std::vector<Effect> &effects);
 
-    /** All of them, in a fixed order, for tables. */
+    /** All effects in a fixed order, for tables. */
     std::vector<Effect>
     list() const;
   };
 
-  // What the formulas that a scene uses depend on. The scene must have passed
+  // Dependences of the formulas that a scene uses. The scene must have passed
   // its check.
 
-  /** The coefficients of the stiffness, without its time factor. */
+  /** Formulas of the stiffness coefficients, without the time factor. */
   std::vector<Expression>
   stiffness_formulas(const MaterialParameters &material);
 
-  /** Those of the viscosity, likewise. */
+  /** Formulas of the viscosity coefficients, without the time factor. */
   std::vector<Expression>
   viscosity_formulas(const MaterialParameters &material);
 
-  /** Whether a property of the material depends on a variable, free strains
-   * included, time factors not. */
+  /** Whether a property of the material, or a free strain, depends on a
+   * variable; time factors do not count. */
   bool
   material_depends_on(const std::string        &variable,
                       const MaterialParameters &material);
 
-  /** Whether the temperature causes strain, where there is one. */
+  /** Whether the coefficient of thermal expansion is not zero. */
   bool
   has_thermal_expansion(const MaterialParameters &material);
 
-  /** Whether the body is isotropic, and its viscosity in proportion to its
+  /** Whether the body is isotropic, and its viscosity proportional to its
    * stiffness. */
   bool
   creeps_in_proportion(const MaterialParameters &material);
 
-  /** Whether K is asked for, or tried to have unasked. */
+  /** Whether K is computed: on request, or automatically if possible. */
   Effects::Effect
   stress_intensity_effect(const Scene &scene, const BoundaryRoles &roles);
 
-  /** Whether there is a change of temperature. */
+  /** Whether the loads have a change of temperature. */
   bool
   has_temperature(const LoadParameters &loads);
 
@@ -87,8 +87,8 @@ namespace Crevasse
   bool
   formulas_can_jump(const Scene &scene);
 
-  /** Which of the formulas vary in time, and why: "[Material] Relaxation time
-   * depends on theta"; nothing if none does. */
+  /** Names of the formulas that vary in time, and why: "[Material] Relaxation
+   * time depends on theta"; empty if none does. */
   std::string
   describe_variation(const std::vector<Expression> &formulas,
                      const bool                     temperature_varies);

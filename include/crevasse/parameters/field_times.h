@@ -9,21 +9,21 @@
 
 namespace Crevasse
 {
-  /** The instants of the last period at which the fields are written, besides
-   * the end of the run. */
+  /** Instants of the last period at which fields are written, besides the end
+   * of the run. */
   struct FieldTimes
   {
-    bool                of_extremes = false; ///< of opening, force, K
+    bool                of_extremes = false; ///< extremes of opening, force, K
     bool                all         = false; ///< all steps
-    unsigned int        n_equal     = 0;     ///< so many at equal distances
+    unsigned int        n_equal     = 0;     ///< number of equidistant instants
     std::vector<double> listed;
 
-    /** Those that are known in advance. */
+    /** Instants that are known before the run. */
     std::vector<double>
     instants(const double period) const;
   };
 
-  /** Reads "automatic", "all", "12 instants" or "150, 300"; nothing gives none.
+  /** Parses "automatic", "all", "12 instants" or "150, 300"; "" gives none.
    *
    * @throw SceneError that says what is expected. */
   FieldTimes

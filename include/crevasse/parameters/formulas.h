@@ -10,77 +10,77 @@
 
 namespace Crevasse
 {
-  // The parameters of a scene that are formulas, parsed once.
+  // Types of parameters that are formulas, parsed once.
 
   using Formula  = Parsed<Expression>;
   using Formulas = Parsed<std::vector<Expression>>;
-  /** Rows, each with its entries. */
+  /** Rows of a matrix of formulas. */
   using FormulaMatrix = Parsed<std::vector<std::vector<Expression>>>;
 
-  /** A Maxwell body of a chain: its part of the stiffness, and its relaxation
-   * time. */
+  /** A Maxwell body of a chain: its fraction of the stiffness, and its
+   * relaxation time. */
   struct ChainBranch
   {
     double     fraction;
     Expression relaxation_time;
   };
 
-  // Parsers of parameters. Numbers must be in a range; whether the values of a
-  // formula are is known when there are points.
+  // Parsers of parameters. They check the range of numbers; values of formulas
+  // are checked when points are known.
 
   Formula::Parser
   material_formula(const std::string &name,
                    const Range       &range = Ranges::positive);
 
-  /** A formula of t. */
+  /** Parses a formula of t. */
   Formula::Parser
   time_factor(const std::string &name);
 
-  /** A number, or the components of a symmetric tensor, separated by commas. */
+  /** Parses a number or components of a symmetric tensor, as "1, 2, 3, 4". */
   Formulas::Parser
   material_components(const std::string &name);
 
-  /** Rows separated by semicolons, entries by commas. */
+  /** Parses a matrix: rows separated by semicolons, entries by commas. */
   FormulaMatrix::Parser
   material_matrix(const std::string &name);
 
-  /** A formula for each direction, separated by semicolons. */
+  /** Parses a formula for each direction, separated by semicolons. */
   Formulas::Parser
   load_components(const std::string &name);
 
-  // These throw a SceneError that says what is expected.
+  // The next parsers throw a SceneError that says what is expected.
 
-  /** A formula of the place, with values of at most 0. */
+  /** Parses the gap: a formula of the point, with values of at most 0. */
   Expression
   parse_gap(const std::string &text);
 
-  /** "fraction: time; fraction: time". */
+  /** Parses a chain: "fraction: time; fraction: time". */
   std::vector<ChainBranch>
   parse_chain(const std::string &text);
 
-  /** A formula, or nothing for the name of a file. */
+  /** Parses the temperature: a formula, or no value for the name of a file. */
   std::optional<Expression>
   parse_temperature(const std::string &text);
 
-  // Sizes that the dimension demands.
+  // Checks of sizes against the dimension throw a SceneError.
 
-  /** @param plane_stress in which the row 33 may be left out. */
+  /** Checks the size of a matrix; in plane stress row 33 may be left out. */
   void
   require_size(const FormulaMatrix &matrix,
                const unsigned int   dimension,
                const bool           plane_stress);
 
-  /** Of a tensor. */
+  /** Checks the number of components of a symmetric tensor. */
   void
   require_size(const Formulas &components, const unsigned int dimension);
 
-  // What formulas depend on.
+  // Dependences of formulas.
 
-  /** The entries of a matrix row by row. */
+  /** Entries of a matrix of formulas, row by row. */
   std::vector<Expression>
   entries(const FormulaMatrix &matrix);
 
-  /** Whether all are the number 0. */
+  /** Whether all formulas are the number 0. */
   bool
   are_zero(const std::vector<Expression> &formulas);
 

@@ -14,18 +14,18 @@
 
 namespace Crevasse
 {
-  /** "automatic" gives none.
+  /** Parses subdivisions; "automatic" gives an empty list.
    *
    * @throw SceneError that says what is expected. */
   std::vector<unsigned int>
   parse_subdivisions(const std::string &text);
 
   /**
-   * One plain struct for each section of a scene file. Every struct declares
-   * its own entries (name, default, documentation, range) with
-   * add_parameters(), called inside the section. What several values together
-   * say it judges in check(), which appends what is wrong to a list instead of
-   * stopping at the first error.
+   * Parameters of section Geometry. Each section of a scene file has a plain
+   * struct, which declares its entries (name, default, documentation, range) in
+   * add_parameters(), called inside the section. Its check() judges
+   * combinations of values, and appends all errors to a list instead of
+   * stopping at the first.
    *
    * All quantities are in the user's own consistent units.
    */
@@ -36,12 +36,12 @@ namespace Crevasse
     Shape       shape        = Shape::edge_crack;
     double      width        = 1.;
     double      height       = 1.;
-    double      thickness    = 1.; ///< in three dimensions only
+    double      thickness    = 1.; ///< thickness in three dimensions
     double      crack_length = 0.5;
     std::string mesh_file;
 
-    /** Cells along x, y, z of the coarse mesh before `refinements`; none: see
-     * subdivisions(). */
+    /** Cells along x, y, z of the coarse mesh; empty: automatic, see
+     * Crevasse::subdivisions(). */
     Parsed<std::vector<unsigned int>> subdivisions{"automatic",
                                                    parse_subdivisions};
 
@@ -54,7 +54,7 @@ namespace Crevasse
     check(Problems &problems) const;
   };
 
-  /** Which boundary ids play which role, and point supports. */
+  /** Parameters of section Boundary: roles of boundary ids, fixed points. */
   struct BoundaryParameters
   {
     static constexpr const char *section = "Boundary";
@@ -65,7 +65,7 @@ namespace Crevasse
     Parsed<BoundaryList>   contact{"automatic", parse_boundary_list};
     Parsed<BoundaryList>   crack{"none", parse_boundary_list};
     Parsed<FixedPointList> fixed_points{"automatic", parse_fixed_points};
-    /** The least u_N of the lip. */
+    /** Lower bound of u_N on the lip. */
     Formula gap{"0", parse_gap};
 
     void
@@ -74,7 +74,7 @@ namespace Crevasse
     check(Problems &problems) const;
   };
 
-  /** A role: its parameter, and the boundaries that have it in the end. */
+  /** A role of boundaries: its parameter, and its resolved boundary ids. */
   struct BoundaryRole
   {
     const char          *name;
@@ -118,16 +118,16 @@ namespace Crevasse
     Parsed<std::vector<ChainBranch>> chain{"", parse_chain};
     Formulas thermal_expansion{"0", material_components("Thermal expansion")};
 
-    /** A strain that the body has without stress: an effect. */
+    /** Strain of the body without stress, which is an effect. */
     struct FreeStrain
     {
       const char     *parameter;
-      const char     *effect; ///< its name in the log
+      const char     *effect; ///< name of the effect in the log
       const Formulas &components;
-      bool            is_thermal; ///< to be multiplied by theta
+      bool            is_thermal; ///< whether theta multiplies it
     };
 
-    /** All of them: whatever looks at one looks at each. */
+    /** All free strains: code that handles one handles each. */
     std::vector<FreeStrain>
     free_strains() const;
 
@@ -142,24 +142,24 @@ namespace Crevasse
     static constexpr const char *section = "Loads";
 
     double period = 1.;
-    /** Expressions of x, y, z, t, one per component, separated by ";"; nothing
-     * if there is no such load. */
+    /** Traction: formulas of x, y, z, t, one per component, separated by ";";
+     * empty without such a load. */
     Formulas traction{"", load_components("Traction")};
     Formulas body_force{"", load_components("Body force")};
-    /** Change of temperature: a formula of x, y, z, t, or nothing where the
-     * text is the name of a file. */
+    /** Change of temperature: a formula of x, y, z, t; no value if the text is
+     * the name of a file. */
     Parsed<std::optional<Expression>> temperature{"0", parse_temperature};
 
-    /** A force on the body. In its volume it is an effect. */
+    /** A force on the body. A force in the volume is an effect. */
     struct Force
     {
       const char     *parameter;
-      const char     *effect; ///< its name in the log
+      const char     *effect; ///< name of the effect in the log
       const Formulas &components;
-      bool            in_volume; ///< or on boundaries with the role Loaded
+      bool            in_volume; ///< else on boundaries with role Loaded
     };
 
-    /** All of them: whatever looks at one looks at each. */
+    /** All forces: code that handles one handles each. */
     std::vector<Force>
     forces() const;
 
@@ -175,7 +175,8 @@ namespace Crevasse
 
     unsigned int     degree            = 2;
     VolumetricStrain volumetric_strain = VolumetricStrain::full;
-    /** At the crack tip: 1: w₁, 2: and D, 3: and w₃ (SingularFunctions). */
+    /** Crack-tip functions: 1: w₁, 2: also D, 3: also w₃ (SingularFunctions).
+     */
     SingularFunctionNumber singular_functions =
       SingularFunctionNumber::automatic;
 
@@ -185,24 +186,24 @@ namespace Crevasse
     check(Problems &problems) const;
   };
 
-  /** How the mesh is refined besides [Geometry] Refinements. */
+  /** Parameters of section Refinement, after [Geometry] Refinements. */
   struct RefinementParameters
   {
     static constexpr const char *section = "Refinement";
 
     RefinementStrategy strategy = RefinementStrategy::none;
-    /** Refinement ends when the mesh has them; 0: no limit. */
+    /** Number of unknowns at which refinement ends; 0: no limit. */
     unsigned int target_unknowns = 0;
-    /** tip: levels; adaptive: meshes after the first. 0: by the target. */
+    /** Levels (tip) or meshes after the first (adaptive); 0: until target. */
     unsigned int cycles           = 0;
     Marking      marking          = Marking::bulk;
     double       refine_fraction  = 0.5;
     double       coarsen_fraction = 0.;
-    /** Estimated error of the stress in the energy norm, relative to that of
-     * the stress, at which cycles end; 0: none. */
+    /** Relative estimated error of the stress in the energy norm at which
+     * cycles end; 0: none. */
     double tolerance = 0.;
-    /** Instants within the period that the estimate looks at; none: those of
-     * the largest load and of the most opposite one. */
+    /** Instants within the period at which the error is estimated; empty:
+     * instants of the largest and of the most opposite load. */
     std::vector<double> instants;
     /** Periods after which the mesh is adapted again; 0: never. */
     unsigned int readapt_every = 0;
@@ -213,12 +214,12 @@ namespace Crevasse
     check(Problems &problems) const;
   };
 
-  /** Those with which over-relaxation converges. */
+  /** Relaxation factors with which over-relaxation converges. */
   constexpr Range relaxation_factors = {Ranges::above_0,
                                         2. - 1e-15,
                                         "greater than 0 and less than 2"};
 
-  /** A factor, or "automatic".
+  /** Parses a relaxation factor; "automatic" gives no value.
    *
    * @throw SceneError that says what is expected. */
   std::optional<double>
@@ -229,16 +230,16 @@ namespace Crevasse
     static constexpr const char *section = "Contact";
 
     ContactSolverType solver = ContactSolverType::automatic;
-    /** Within ]0,2[; nothing: found by dichotomy. */
+    /** Relaxation factor in ]0,2[; no value: found by dichotomy. */
     Parsed<std::optional<double>> relaxation_factor{"automatic",
                                                     parse_relaxation_factor};
     double                        tolerance          = 1e-12;
     unsigned int                  maximum_iterations = 100000;
-    /** Factors of a table of iterations against the factor (paper, Table 1);
-     * empty: no table. */
+    /** Relaxation factors in a table of iterations (paper, Table 1); empty: no
+     * table. */
     std::vector<double> relaxation_table;
 
-    /** Of the body, as projected SOR and the table do. */
+    /** Whether contact needs the matrix of the body: for SOR or the table. */
     bool
     needs_matrix() const
     {
@@ -254,10 +255,10 @@ namespace Crevasse
     static constexpr const char *section = "Linear solver";
 
     LinearSolverType type = LinearSolverType::automatic;
-    /** By how much an iterative solver reduces the residual before the active
-     * set is looked at again. */
+    /** Reduction of the residual by an iterative solver before the active set
+     * is updated. */
     double tolerance = 1e-3;
-    /** Mebibytes for what varies in time and is kept from period to period. */
+    /** Mebibytes for time-dependent data kept from period to period. */
     double memory_for_instants = 4000.;
 
     void
@@ -268,23 +269,23 @@ namespace Crevasse
   {
     static constexpr const char *section = "Time integration";
 
-    /** Of a period: more would not end. */
+    /** Largest number of steps per period: more would not end. */
     static constexpr unsigned int most_steps = 1000000;
 
     Scheme          scheme           = Scheme::automatic;
     double          heun_weight      = 0.75;
     unsigned int    steps_per_period = 80;
     StepControlType step_control     = StepControlType::uniform;
-    /** Instants within [0, Period] of the step control "list". */
+    /** Ends of steps in [0, Period] for the step control "list". */
     std::vector<double> steps;
-    /** Of the stress: relative to the largest elastic one, and in its units. */
+    /** Tolerances of the stress: relative to the largest elastic; absolute. */
     double relative_tolerance = 1e-4;
     double absolute_tolerance = 0.;
-    /** Of the stages of implicit schemes where creep follows a power law. */
+    /** Newton tolerance in stages of implicit schemes for power-law creep. */
     double       newton_tolerance      = 1e-7;
-    unsigned int order                 = 4; ///< of ARKODE's methods
+    unsigned int order                 = 4; ///< order of ARKODE's methods
     bool         locate_contact_events = false;
-    /** Whether steps beyond the limit of the scheme are refused. */
+    /** Whether steps beyond the stability limit are an error. */
     bool check_stability = true;
 
     void
@@ -313,7 +314,7 @@ namespace Crevasse
     add_parameters(dealii::ParameterHandler &prm);
   };
 
-  /** What is read off at the crack tip. */
+  /** Parameters of section Crack tip: stress intensity and growth laws. */
   struct CrackTipParameters
   {
     static constexpr const char *section = "Crack tip";
@@ -321,17 +322,16 @@ namespace Crevasse
     StressIntensityChoice stress_intensity = StressIntensityChoice::automatic;
     bool                  creep_integral   = false;
     StressIntensityMethod method           = StressIntensityMethod::automatic;
-    /** Half the side of the square around the tip that the integral extends
-     * over, or twice the radius of the smaller disc of the fit; 0: automatic.
-     */
+    /** Half the side of the square of the integral around the tip, or twice the
+     * radius of the smaller disc of the fit; 0: automatic. */
     double radius = 0.;
 
     GrowthLawType growth_law = GrowthLawType::none;
-    // da/dN = C (ΔK − ΔK_th)^m or, without a threshold, C ΔK^m.
+    // Paris law: da/dN = C (ΔK − ΔK_th)^m or, without a threshold, C ΔK^m.
     double paris_factor    = 0.;
     double paris_exponent  = 3.;
     double paris_threshold = 0.;
-    /** What drives da/dt = D (...)^φ. */
+    /** Quantity P that drives creep growth, da/dt = D P^φ. */
     CreepParameter creep_parameter = CreepParameter::C_star;
     double         creep_factor    = 0.;
     double         creep_exponent  = 1.;
@@ -341,16 +341,15 @@ namespace Crevasse
     void
     check(Problems &problems) const;
 
-    /** Whether what drives the growth is C(t). */
+    /** Whether C(t) drives the growth. */
     bool
     grows_by_C_of_t() const;
 
-    /** Whether K is asked for, by itself or for the growth. */
+    /** Whether K is requested, by itself or for the growth. */
     bool
     needs_stress_intensity() const;
 
-    /** Whether K is computed or the scene is refused: also where it says how.
-     */
+    /** Whether K is required: requested, or its radius or method is given. */
     bool
     demands_stress_intensity() const
     {
@@ -366,10 +365,10 @@ namespace Crevasse
     Parsed<std::vector<NamedPoint>> probes{"automatic", parse_probes};
     Parsed<FieldTimes>              field_times{"automatic", parse_field_times};
     FieldFormat                     fields = FieldFormat::vtu;
-    /** Of the last period's stress with the elastic one. */
+    /** Lip of the elastic body to compare the last period's stress with. */
     ComparedLip elastic_comparison = ComparedLip::none;
     bool        load_work          = false;
-    /** Periods from one checkpoint to the next; 0: only on request. */
+    /** Number of periods between checkpoints; 0: only on request. */
     unsigned int checkpoint_every = 0;
 
     void

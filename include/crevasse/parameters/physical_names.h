@@ -10,21 +10,21 @@
 
 namespace Crevasse
 {
-  // A scene with a Gmsh file may name its physical groups instead of giving
-  // their numbers. A name that the file has not is reported, with those that
-  // it has.
+  // A scene with a Gmsh file may use names of physical groups instead of
+  // numbers. An unknown name is reported with the known names.
 
-  /** Replaces the names of boundaries by their ids. */
+  /** Replaces the names of boundaries in a scene by their ids. */
   void
   replace_boundary_names(Scene &scene, Problems &problems);
 
-  /** The names of material ids that have one. */
+  /** Names of the material ids that have a name in the Gmsh file. */
   std::map<unsigned int, std::string>
   material_names(const Scene &scene);
 
-  /** Formulas quote the names of materials, as in material == "blade".
-   * @return by name, the parameters of section Material that do, with the
-   * material ids in place of the names. */
+  /** Replaces quoted names of materials in formulas, as in material == "blade",
+   * by their ids.
+   * @return those parameters of section Material that quote names, by name,
+   * with the replaced formulas. */
   std::map<std::string, std::string>
   named_materials(const Scene                    &scene,
                   const Catalogue                &catalogue,

@@ -20,25 +20,25 @@ namespace Crevasse
     dealii::Point<dim> point;
   };
 
-  /** As in a scene, whose dimension is another parameter. */
+  /** A probe of a scene before the dimension is known. */
   struct NamedPoint
   {
     std::string         name;
     std::vector<double> coordinates;
   };
 
-  /** Reads "name: x, y; name: x, y"; nothing gives none, and so does
-   * "automatic".
+  /** Parses probes "name: x, y; name: x, y"; an empty text and "automatic" give
+   * none.
    *
    * @throw SceneError that says what is expected. */
   std::vector<NamedPoint>
   parse_probes(const std::string &text);
 
-  /** @throw SceneError unless the text is numbers separated by commas. */
+  /** Coordinates. @throw SceneError unless numbers separated by commas. */
   std::vector<double>
   parse_coordinates(const std::string &text);
 
-  /** @throw SceneError unless there are as many coordinates. */
+  /** Converts coordinates to a point. @throw SceneError if not dim. */
   template <int dim>
   dealii::Point<dim>
   to_point(const std::vector<double> &coordinates);

@@ -8,12 +8,12 @@
 
 namespace Crevasse
 {
-  /** Everything that the user specifies for one run. */
+  /** All parameters of a run. */
   struct Scene
   {
     std::string  title;
     unsigned int dimension = 2;
-    /** Empty: `results/NAME` for NAME.prm. */
+    /** Output directory; empty: `results/NAME` for NAME.prm. */
     std::string output_directory;
 
     GeometryParameters        geometry;
@@ -29,7 +29,7 @@ namespace Crevasse
     CrackTipParameters        crack_tip;
     OutputParameters          output;
 
-    /** A body of revolution: x is the radius, y the axis. */
+    /** Whether the body is one of revolution: x is the radius, y the axis. */
     bool
     is_axisymmetric() const
     {
@@ -39,15 +39,14 @@ namespace Crevasse
     void
     add_parameters(dealii::ParameterHandler &prm);
 
-    /** Each section's own check, and what only several sections together can
-     * tell (number of load components, steps within the period, ...). */
+    /** Checks each section, and combinations of several sections (number of
+     * load components, steps within the period, ...). */
     void
     check(Problems &problems) const;
   };
 
-  /** The parameters that have another value than their default, but cannot
-   * have an effect beside the others of their scene: a sentence for each, with
-   * the reason. The scene must have passed its check. */
+  /** Non-default parameters that have no effect in a scene: a sentence for
+   * each, with the reason. The scene must have passed its check. */
   std::vector<std::string>
   unused_parameters(const Scene &scene);
 } // namespace Crevasse

@@ -11,22 +11,21 @@
 
 namespace Crevasse
 {
-  /** Writes all parameters with defaults and documentation, as "prm", "json",
-   * "markdown", or "schema", which is a JSON schema. */
+  /** Writes all parameters with defaults and documentation in a format: "prm",
+   * "json", "markdown", or "schema" (a JSON schema). */
   void
   print_parameters(std::ostream &out, const std::string &format);
 
   /**
-   * Reads a .prm or .json scene, then the overrides "Section/Name=value" of
-   * the command line. What does not parse or is unknown is added to
-   * @p problems with file, line, section, parameter, value and what is
-   * allowed; reading continues to the end. Values are not yet checked against
-   * each other: call Scene::check(). A mesh file is looked for next to the
-   * scene first.
+   * Reads a .prm or .json scene, then the overrides "Section/Name=value" of the
+   * command line. Syntax errors and unknown parameters are added to @p problems
+   * with file, line, section, parameter, value and allowed values; reading
+   * continues. Values are not yet checked against each other: call
+   * Scene::check(). The mesh file is first sought next to the scene.
    *
-   * @p prm must be new. Filled, it can write used.prm; nothing must be set or
-   * read through it afterwards, for its entries refer to the scene that was
-   * filled here, not to the one that is returned.
+   * @p prm must be new. It can then write used.prm; nothing must be set or read
+   * through it afterwards, for its entries refer to the scene that was filled
+   * here, not to the one that is returned.
    *
    * @throw FileError if the file cannot be read.
    */
@@ -36,7 +35,7 @@ namespace Crevasse
              dealii::ParameterHandler       &prm,
              Problems                       &problems);
 
-  /** The text of used.prm: every parameter of a scene that was read. */
+  /** Text of used.prm: every parameter of the scene that @p prm has read. */
   std::string
   used_parameters(dealii::ParameterHandler &prm);
 } // namespace Crevasse

@@ -8,9 +8,9 @@
 
 namespace Crevasse
 {
-  /** A JSON schema of .json scenes, with which editors complete and check them:
-   * names, choices and ranges of numbers. Formulas and lists are texts there;
-   * whether they can be read, the program alone knows. */
+  /** JSON schema of .json scenes, with which editors complete and check names,
+   * choices and ranges of numbers. Formulas and lists are texts in the schema;
+   * only the program checks them. */
   Catalogue
   make_scene_schema(const Catalogue &catalogue);
 } // namespace Crevasse

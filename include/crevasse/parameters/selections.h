@@ -8,7 +8,7 @@
 
 namespace Crevasse
 {
-  // What a scene selects by name: the values, their documentation, names and
+  // Enums that a scene selects by name: values, documentation, names and
   // traits. Factories of classes are where the classes are.
 
   enum class Shape
@@ -94,10 +94,9 @@ namespace Crevasse
       "and keeps the volume; \"none\" is an elastic body.";
   };
 
-  /** Of which point the change of volume in the strain is: of the displacement
-   * gradient at the point, or the mean of that over the cell (B-bar; Hughes
-   * 1980), which keeps linear elements from locking in nearly incompressible
-   * bodies. */
+  /** Volumetric part of the strain: of the displacement gradient at the point,
+   * or its mean over the cell (B-bar; Hughes 1980), which keeps linear
+   * elements from locking in nearly incompressible bodies. */
   enum class VolumetricStrain
   {
     full,
@@ -285,7 +284,7 @@ namespace Crevasse
     static constexpr const char *meaning = "File format of the fields.";
   };
 
-  /** The lip of the elastic body that a run is compared with. */
+  /** Lip of the elastic body with which the stress of a run is compared. */
   enum class ComparedLip
   {
     none,

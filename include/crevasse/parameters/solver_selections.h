@@ -8,7 +8,7 @@
 
 namespace Crevasse
 {
-  // As selections.h, for methods of solution.
+  // Enums that a scene selects by name (see selections.h): methods of solution.
 
   enum class ContactSolverType
   {
@@ -25,9 +25,9 @@ namespace Crevasse
     {
       ContactSolverType value;
       const char       *name;
-      bool              relaxes;           ///< needs entries of a matrix
-      bool              stops_early;       ///< at [Linear solver] Tolerance
-      bool              counts_iterations; ///< up to Maximum iterations
+      bool              relaxes;           ///< needs the entries of the matrix
+      bool              stops_early;       ///< uses [Linear solver] Tolerance
+      bool              counts_iterations; ///< uses Maximum iterations
     };
     static constexpr Row rows[] = {
       {ContactSolverType::automatic, "automatic", false, true, true},
@@ -99,9 +99,9 @@ namespace Crevasse
     {
       Scheme      value;
       const char *name;
-      bool        estimates_error;    ///< of a step, for adaptive ones
-      bool        keeps_matrices;     ///< of its own, for instants
-      bool        flows_by_mean_load; ///< as the secular problem says
+      bool        estimates_error;    ///< for adaptive steps
+      bool        keeps_matrices;     ///< own matrices of instants
+      bool        flows_by_mean_load; ///< as the secular problem
       bool        is_of_arkode;
     };
     static constexpr Row rows[] = {
@@ -133,7 +133,7 @@ namespace Crevasse
       "at once (see Periodic state/Method), otherwise \"sdirk2\".";
   };
 
-  /** How the instants at which steps end are found. */
+  /** Method to choose the instants at which time steps end. */
   enum class StepControlType
   {
     uniform,

@@ -20,18 +20,18 @@
 namespace Crevasse
 {
   /**
-   * Finds the triangle (tetrahedron) in which a point lies. The simplices need
+   * Finds the triangle (tetrahedron) that contains a point. The simplices need
    * no neighbours: they may overlap, have either orientation, or share no
-   * vertices. Every point is looked for once, because the same points are asked
-   * for at all instants.
+   * vertices. Found points are cached, because all instants need the same
+   * points.
    */
   template <int dim>
   class SimplexLocator
   {
   public:
-    using Simplex = std::array<unsigned int, dim + 1>; ///< its vertices
+    using Simplex = std::array<unsigned int, dim + 1>; ///< vertex numbers
 
-    /** The barycentric coordinates of a point in a simplex. */
+    /** A simplex and barycentric coordinates in it. */
     struct Location
     {
       std::size_t                 simplex;
@@ -64,10 +64,10 @@ namespace Crevasse
       return vertices.size();
     }
 
-    /** The linear interpolation of values at the vertices; nothing is written
-     * to @p value, and false returned, if the point lies outside. A point in
-     * the gap between a curved boundary and the edges or faces that stand for
-     * it has the value at the nearest place in a simplex. */
+    /** Interpolates values at vertices linearly at a point; returns false and
+     * does not set @p value if the point lies outside. A point in the gap
+     * between a curved boundary and the edges or faces that approximate it has
+     * the value at the nearest point of a simplex. */
     bool
     interpolate(const dealii::Point<dim>  &point,
                 const std::vector<double> &values,
@@ -90,15 +90,15 @@ namespace Crevasse
       return true;
     }
 
-    /** Width of the gap that is bridged, in diameters of the simplex' bounding
-     * box: an edge that spans the angle φ leaves φ/8. */
+    /** Largest bridged gap at curved boundaries, in diameters of the simplex'
+     * bounding box: an edge that spans the angle φ leaves φ/8. */
     static constexpr double largest_gap = 0.05;
 
   private:
     using Coordinates = std::array<double, dim>;
     using Box         = std::pair<dealii::BoundingBox<dim>, std::size_t>;
 
-    /** Weights that are all zero if the point lies outside. */
+    /** Finds a point in the simplices; all weights are zero if outside. */
     Location
     find(const dealii::Point<dim> &point) const
     {
@@ -121,8 +121,8 @@ namespace Crevasse
       return nearest;
     }
 
-    /** The place in a simplex that is nearest to the point, and the distance
-     * from it; infinity for a flat simplex. */
+    /** Point of a simplex that is nearest to a given point, and their distance;
+     * infinity for a flat simplex. */
     std::pair<Location, double>
     project(const dealii::Point<dim> &point, const std::size_t simplex) const
     {
@@ -137,7 +137,7 @@ namespace Crevasse
             1e-14 * std::pow(diameters[simplex], dim)))
         return {location, std::numeric_limits<double>::infinity()};
 
-      // The gradients of the barycentric coordinates, and these at the point.
+      // Gradients of barycentric coordinates, and their values at the point.
       const dealii::Tensor<2, dim> inverse = dealii::invert(jacobian);
       std::array<dealii::Tensor<1, dim>, dim + 1> gradients;
       std::array<double, dim + 1>                &weights = location.weights;
@@ -150,8 +150,8 @@ namespace Crevasse
           weights[0] -= weights[i + 1];
         }
 
-      // Perpendicularly onto each face that the point is beyond; what is left
-      // of negative weights then is beyond an edge or a corner.
+      // Project perpendicularly onto each face that the point is beyond;
+      // weights that stay negative belong to a point beyond an edge or corner.
       for (unsigned int i = 0; i <= dim; ++i)
         if (weights[i] < 0.)
           {

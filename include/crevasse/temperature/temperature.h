@@ -11,21 +11,21 @@
 
 namespace Crevasse
 {
-  /** The change of temperature θ(x,t): a formula, or a file: a table
+  /** Change of temperature θ(x,t), given by a formula or by a file: a table
    * (.csv), or fields that another program computed (.h5). */
   template <int dim>
   class Temperature
   {
   public:
-    /** @param formula nothing: it is a file.
-     * @throw SceneError if the file cannot be used, FileError if there is none
-     * to read. */
+    /** @param formula Empty if a file gives the temperature.
+     * @throw SceneError if the file cannot be used, FileError if it cannot be
+     * read. */
     Temperature(const std::optional<Expression> &formula,
                 const std::string               &file_name,
                 const double                     period);
 
-    /** @throw SceneError if the point is outside of what the file covers, or if
-     * a formula has no finite value. */
+    /** Change of temperature. @throw SceneError if the point is outside the
+     * grid or mesh of the file, or if a formula has no finite value. */
     double
     value(const dealii::Point<dim> &point, const double t) const
     {
@@ -56,7 +56,7 @@ namespace Crevasse
     is_file(const std::string &source);
 
   private:
-    std::optional<Expression>                   formula; ///< or
+    std::optional<Expression> formula; ///< empty if a file is used
     std::unique_ptr<const TemperatureFile<dim>> file;
   };
 } // namespace Crevasse

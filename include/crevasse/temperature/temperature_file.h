@@ -13,7 +13,7 @@
 
 namespace Crevasse
 {
-  /** @throw SceneError that names the file. */
+  /** Reports a wrong file of temperature. @throw SceneError */
   [[noreturn]] inline void
   refuse_temperature(const std::string &file_name, const std::string &reason)
   {
@@ -21,9 +21,8 @@ namespace Crevasse
   }
 
   /**
-   * A temperature that a file gives at some instants of the period: linear in
-   * time between these, and periodic. How it is interpolated in space is left
-   * to the kinds of file.
+   * Change of temperature given by a file at instants of the period: linear in
+   * time between instants, and periodic. Derived classes interpolate in space.
    */
   template <int dim>
   class TemperatureFile
@@ -37,11 +36,11 @@ namespace Crevasse
 
     virtual ~TemperatureFile() = default;
 
-    /** @throw SceneError if the file knows nothing about the point. */
+    /** Change of temperature. @throw SceneError outside grid or mesh. */
     double
     value(const dealii::Point<dim> &point, const double t) const
     {
-      // The last instant is followed by the first of the next period.
+      // The first instant of the next period follows the last instant.
       const std::size_t next =
         std::upper_bound(instants.begin(), instants.end(), t) -
         instants.begin();
@@ -63,8 +62,8 @@ namespace Crevasse
     }
 
   protected:
-    /** To be called first of all by whoever reads the file, with the instants
-     * in ascending order. @throw SceneError if one is outside of the period. */
+    /** Sets the instants, in ascending order. Derived classes must call this
+     * first. @throw SceneError if one is outside the period. */
     void
     set_instants(std::vector<double> new_instants)
     {

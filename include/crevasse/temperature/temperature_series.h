@@ -14,15 +14,15 @@
 
 namespace Crevasse
 {
-  /** The arrays of numbers of an HDF5 file. deal.II's classes check nothing
-   * in the optimised flavour. */
+  /** Reads arrays of numbers from an HDF5 file. deal.II's classes check nothing
+   * in release mode. */
   class NumberFile
   {
   public:
     NumberFile(const std::string &name)
       : file_name(name)
     {
-      H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr); // messages are ours
+      H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr); // errors are reported here
       file = H5Fopen(name.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT);
       if (file < 0)
         throw_error(
@@ -37,7 +37,7 @@ namespace Crevasse
       H5Fclose(file);
     }
 
-    /** All rows of a dataset with @p n_columns, one after the other. */
+    /** Reads all rows of a dataset with @p n_columns, row by row. */
     std::vector<double>
     read(const std::string &name, const hsize_t n_columns) const
     {
@@ -90,8 +90,8 @@ namespace Crevasse
   };
 
   /**
-   * A temperature that another program has computed, on triangles (tetrahedra),
-   * as `crevasse temperature` writes it. The HDF5 file has the datasets
+   * Change of temperature that another program computed on triangles
+   * (tetrahedra), as `crevasse temperature` writes it to an HDF5 file:
    *
    * | name           | shape            |                                   |
    * |----------------|------------------|-----------------------------------|
@@ -105,7 +105,7 @@ namespace Crevasse
   class TemperatureSeries : public TemperatureFile<dim>
   {
   public:
-    /** @throw SceneError that names the file and what is wrong with it. */
+    /** Reads the file. @throw SceneError with the file and its fault. */
     TemperatureSeries(const std::string &file_name, const double period)
       : TemperatureFile<dim>(file_name, period)
     {
@@ -141,7 +141,7 @@ namespace Crevasse
   private:
     struct Snapshot
     {
-      /** Shared by all instants with the same mesh. */
+      /** Locator of the mesh, shared by all instants with this mesh. */
       std::shared_ptr<const SimplexLocator<dim>> locator;
       std::vector<double>                        values;
     };
@@ -171,7 +171,7 @@ namespace Crevasse
                                                          std::move(cells));
     }
 
-    /** @throw SceneError if the point lies outside of the mesh. */
+    /** Change of temperature. @throw SceneError if a point is off the mesh. */
     double
     value_at_instant(const dealii::Point<dim> &point,
                      const std::size_t         instant) const override
@@ -194,7 +194,7 @@ namespace Crevasse
       return value;
     }
 
-    std::vector<Snapshot> snapshots; ///< one for each instant
+    std::vector<Snapshot> snapshots; ///< fields for each instant
   };
 } // namespace Crevasse
 

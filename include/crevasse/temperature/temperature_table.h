@@ -15,18 +15,18 @@
 namespace Crevasse
 {
   /**
-   * A temperature that is known at the points of a rectangular grid at some
-   * instants of the period: multilinear in space.
+   * Change of temperature given at the points of a rectangular grid at instants
+   * of the period: multilinear in space.
    */
   template <int dim>
   class TemperatureTable : public TemperatureFile<dim>
   {
   public:
     /** Reads a .csv file with the columns t, x, y[, z], theta and a header
-     * line; the order of the rows does not matter.
+     * line; the rows may have any order.
      *
      * @throw SceneError that names the line if the rows do not make a grid or
-     * an instant is outside of the period. */
+     * an instant is outside the period. */
     TemperatureTable(const std::string &file_name, const double period)
       : TemperatureFile<dim>(file_name, period)
     {
@@ -69,7 +69,7 @@ namespace Crevasse
                              Text::from_number((*twice)[0]) +
                              " at the same point.");
 
-      // In the order of the rows, z varies fastest: as in an array of C.
+      // The rows are sorted with z varying fastest, as in an array of C.
       std::vector<double> values;
       for (const Row &row : rows)
         values.push_back(row.back());
@@ -83,7 +83,7 @@ namespace Crevasse
     }
 
   private:
-    /** t, the coordinates, θ. */
+    /** Row of the table: t, coordinates, θ. */
     using Row = std::array<double, dim + 2>;
 
     static std::vector<Row>
@@ -120,7 +120,7 @@ namespace Crevasse
       return rows;
     }
 
-    /** The different values of a column, in ascending order. */
+    /** Distinct values of a column, in ascending order. */
     static std::vector<double>
     values_of(const std::vector<Row> &rows, const unsigned int column)
     {
@@ -132,7 +132,7 @@ namespace Crevasse
 
     using Grid = dealii::Functions::InterpolatedTensorProductGridData<dim>;
 
-    /** @throw SceneError if the point lies outside of the grid. */
+    /** Change of temperature. @throw SceneError if a point is off the grid. */
     double
     value_at_instant(const dealii::Point<dim> &point,
                      const std::size_t         instant) const override
@@ -149,7 +149,7 @@ namespace Crevasse
       return grids[instant]->value(point);
     }
 
-    std::vector<std::unique_ptr<const Grid>> grids; ///< one for each instant
+    std::vector<std::unique_ptr<const Grid>> grids; ///< grid of each instant
     dealii::Point<dim>                       lower, upper;
   };
 } // namespace Crevasse
