@@ -24,7 +24,7 @@ namespace
 {
   using namespace Crevasse;
 
-  /** Makes the output directory ready for this run's results. */
+  /** Prepares the output directory for the results of a new run. */
   std::unique_ptr<DirectoryLock>
   prepare(const OutputChoice &output, const std::string &used, Log &log)
   {
@@ -38,7 +38,7 @@ namespace
 
 
 
-  /** Makes it ready for the rest of them. */
+  /** Prepares the output directory for the rest of a resumed run. */
   std::unique_ptr<DirectoryLock>
   resume(const OutputChoice &output,
          const std::string  &used,
@@ -54,7 +54,7 @@ namespace
 
 
 
-  /** Whether nothing is left to compute, which is reported. */
+  /** Whether the run has finished, which is then logged. */
   bool
   has_finished(const OutputChoice &output,
                const Scene        &scene,
@@ -137,7 +137,7 @@ namespace
 
 
 
-  /** @throw SceneError with all mistakes; FileError */
+  /** Reads a scene. @throw SceneError with all mistakes; FileError */
   Scene
   read_and_check(const Command &command, dealii::ParameterHandler &prm)
   {
@@ -172,7 +172,7 @@ namespace
 
 
 
-  /** Those of the scene, if there is one, or else the defaults. */
+  /** Prints the parameters of the scene, or else the defaults. */
   void
   print_parameters_of(const Command &command)
   {
@@ -199,8 +199,8 @@ namespace
 
 
 
-  /** Without MPI, whose start takes longer than this: a sweep asks for each of
-   * its points. Of the processes of mpirun the first one answers. */
+  /** Prints parameters without MPI, whose start would take longer: a sweep asks
+   * for each point. With mpirun only the first process answers. */
   int
   show_parameters(const Command &command)
   {
@@ -239,7 +239,7 @@ namespace
                     << '\n';
         return done;
       }
-    catch (const std::exception &error) // also of a T that is no number
+    catch (const std::exception &error) // also if T is no number
       {
         std::cerr << error.what() << std::endl;
         return bad_input;
@@ -248,11 +248,11 @@ namespace
 
 
 
-  /** Runs, and turns every exception into a message and an exit status. */
+  /** Runs a command, and turns exceptions into messages and exit statuses. */
   int
   run_guarded(const Command &command)
   {
-    // Failures speak of themselves on a line of their own.
+    // Failures have a communicator of their own.
     MPI_Comm for_failures;
     MPI_Comm_dup(MPI_COMM_WORLD, &for_failures);
     Log log(MPI_COMM_WORLD, command.quiet, command.verbose);
@@ -277,8 +277,8 @@ namespace
 
 
 
-  /** Signals of signals_to_stop that the program was begun to ignore: nohup has
-   * SIGHUP ignored, and shells SIGINT for what runs in the background. */
+  /** Signals of signals_to_stop that the program ignores from its start: nohup
+   * ignores SIGHUP, and shells SIGINT for background processes. */
   std::vector<int>
   ignored_signals()
   {
@@ -293,7 +293,7 @@ namespace
 
 
 
-  /** Everything from the command line to the exit status. */
+  /** Executes a command line and returns the exit status. */
   int
   run_program(int argc, char **argv)
   {
@@ -305,8 +305,8 @@ namespace
     if (word == "evaluate" && argc > 3)
       return evaluate(argc, argv);
     const std::vector<int> ignored = ignored_signals();
-    // A checkpoint may be asked for before the run can write one, which is no
-    // reason to end.
+    // A request for a checkpoint before the run can write one must not end the
+    // program.
     std::signal(SIGUSR1, SIG_IGN);
     const Command command = parse_command_line(argc, argv);
     if (command.exit)
@@ -315,14 +315,14 @@ namespace
       return show_parameters(command);
 
     set_up_single_process();
-    // PETSc, with which deal.II may start, takes options for its own and tells
-    // at the end which it has not used: it gets the name of the program alone.
+    // PETSc, if deal.II starts it, would take options for its own and report
+    // unused ones: it gets only the name of the program.
     int                                      only_name = 1;
     dealii::Utilities::MPI::MPI_InitFinalize mpi(only_name, argv, 1);
-    // Whoever reads the log may end before the run does; Open MPI has its own
-    // mind about this.
+    // The reader of the log may end before the run; Open MPI handles SIGPIPE in
+    // another way.
     std::signal(SIGPIPE, SIG_IGN);
-    for (const int signal : ignored) // MPI may have taken them for itself
+    for (const int signal : ignored) // MPI may have set them
       std::signal(signal, SIG_IGN);
     return run_guarded(command);
   }

@@ -16,7 +16,7 @@ namespace Crevasse
 {
   namespace
   {
-    /** "3600", "1:00:00", "2-12:00:00" (days first, as in batch systems).
+    /** Seconds in "3600", "1:00:00", "2-12:00:00" (days-hours:minutes:seconds).
      * @throw CLI::ValidationError */
     double
     seconds_in(const std::string &text)
@@ -49,7 +49,7 @@ namespace Crevasse
       app.add_option("scene",
                      command.scene_file,
                      "The scene: a .prm or .json file");
-      // One value each: the scene may follow.
+      // Each --set has one value, as the scene may follow.
       app
         .add_option("--set",
                     command.overrides,
@@ -106,13 +106,13 @@ namespace Crevasse
         ->type_name("FORMAT")
         ->expected(0, 1)
         ->check(CLI::IsMember({"prm", "json", "markdown", "schema"}));
-      // For sweeps, and so in no help.
+      // The option is for sweeps only, and not in the help.
       app.add_flag("--stress-record", command.stress_record)->group("");
     }
 
 
 
-    /** CLI11's message, and the option or command that may have been meant. */
+    /** CLI11's message, and the option or command that was probably meant. */
     std::string
     failure_message(const CLI::App *app, const CLI::Error &error)
     {
@@ -139,15 +139,15 @@ namespace Crevasse
 
 
 
-    /** What was asked for, of several things that exclude each other.
-     * @throw CLI::ParseError if it is none of them, or more than one. */
+    /** Determines which of several exclusive actions is requested.
+     * @throw CLI::ParseError if there is none, or more than one. */
     void
     decide(const CLI::App &app, Command &command)
     {
       const bool scene  = !app.get_option("scene")->empty();
       const bool print  = !app.get_option("--print-parameters")->empty();
       const auto chosen = app.get_subcommands();
-      if (!chosen.empty()) // those that are have taken all words
+      if (!chosen.empty()) // not the first word
         throw CLI::ParseError("\"" + chosen.front()->get_name() +
                                 "\" must be the first argument.",
                               CLI::ExitCodes::ExtrasError);

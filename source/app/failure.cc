@@ -13,15 +13,15 @@ namespace Crevasse
 {
   namespace
   {
-    /** Whether all ranks come here within some seconds; an error that one rank
-     * alone has leaves the others waiting elsewhere. */
+    /** Whether all ranks arrive within some seconds; if only one rank has an
+     * error, the others wait elsewhere. */
     bool
     all_ranks_arrive(const MPI_Comm communicator)
     {
       using namespace std::chrono;
       constexpr std::chrono::seconds patience(10);
 
-      // Apart from whatever else the other ranks are communicating.
+      // A nonblocking barrier, apart from communication of the other ranks.
       MPI_Request request;
       int         arrived = 0;
       MPI_Ibarrier(communicator, &request);
@@ -63,7 +63,7 @@ namespace Crevasse
     MPI_Comm_rank(communicator, &rank);
     if (n_ranks > 1 && !all_ranks_arrive(communicator))
       {
-        if (rank != 0) // the log is the first rank's
+        if (rank != 0) // only rank 0 logs
           std::cerr << message << " (rank " << rank << ')' << std::endl;
         MPI_Abort(communicator, status);
       }

@@ -5,7 +5,7 @@
 
 namespace Crevasse
 {
-  // The exit statuses are those of ExitStatus.
+  // The text lists the values of ExitStatus.
   const char *const examples_and_statuses = R"(Examples:
   crevasse prm/raous1980.prm --set "Geometry/Crack length=0.3" --output results/short_crack
   crevasse advise prm/raous1980.prm --error 1e-3

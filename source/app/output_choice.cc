@@ -24,7 +24,7 @@ namespace Crevasse
 
 
 
-    /** The part of a path that is there already. */
+    /** The existing part of a path. */
     fs::path
     existing_part(const std::string &path)
     {
@@ -101,7 +101,7 @@ namespace Crevasse
       Summary::parse(read_text_file(name), nullptr, false);
     try
       {
-        // Not an object: it is not whole, and the run has not ended.
+        // A summary that is no object is incomplete: the run has not ended.
         return summary.is_object() ? why_finished(summary, scene, parameters)
                                    : "";
       }
@@ -132,7 +132,7 @@ namespace Crevasse
     const bool         is_enough = converged == true && tolerance > 0. &&
                            error.is_number() && error <= tolerance;
     if (!is_enough && periods < allowed)
-      return ""; // the checkpoint knows its scene
+      return ""; // the checkpoint is checked instead
     if (!summary.contains("scene") || !summary["scene"].is_object())
       throw FileError(
         "--resume: the run in " + path +
@@ -183,7 +183,7 @@ namespace Crevasse
       }
     catch (const FileError &error)
       {
-        // Whoever looks after directories does not know who chose this one.
+        // The thrower does not know whether the option chose the directory.
         std::string message = error.what();
         if (from_command_line && message.rfind(name_in_scenes, 0) == 0)
           message.replace(0, std::strlen(name_in_scenes), option);

@@ -17,12 +17,12 @@ namespace Crevasse
 
   namespace
   {
-    // Debian's own has the packages; that of a virtual environment may not.
+    // Debian's own Python has the packages; a virtual environment may not.
     constexpr const char *python = "/usr/bin/python3";
 
 
 
-    /** The directory that holds the package; empty if there is none. */
+    /** The directory of the Python package; empty if there is none. */
     fs::path
     find_package(const fs::path &program)
     {
@@ -96,7 +96,7 @@ namespace Crevasse
     setenv("CREVASSE_VERSION", CREVASSE_VERSION, 1);
 
     leave_server(program_main);
-    // -B: nothing is written beside the scripts.
+    // -B: Python writes no bytecode beside the scripts.
     std::vector<const char *> words = {python, "-B", "-m", "crevasse"};
     words.insert(words.end(), argv + 1, argv + argc);
     words.push_back(nullptr);

@@ -68,7 +68,7 @@ namespace Crevasse
 
 
 
-    /** In one piece: others answer as well. */
+    /** Writes an answer in one piece, as other processes answer as well. */
     void
     answer(const Json &json)
     {
@@ -79,7 +79,7 @@ namespace Crevasse
 
 
 
-    /** A process for each run waits for it. */
+    /** Runs a request in a child process and waits for its end. */
     [[noreturn]] void
     watch(const std::string &line, const Program program)
     {
@@ -114,7 +114,7 @@ namespace Crevasse
 
       if (child > 0)
         answer({{"id", id}, {"process", child}});
-      int    status = W_EXITCODE(file_failure, 0); // if there is no child
+      int    status = W_EXITCODE(file_failure, 0); // if fork() failed
       rusage usage  = {};
       wait4(child, &status, 0, &usage);
       const auto seconds = [](const timeval &time) {
@@ -133,7 +133,7 @@ namespace Crevasse
   int
   serve(const Program program)
   {
-    setsid(); // what is typed at a terminal is meant for others
+    setsid(); // terminal signals are for others
     std::signal(SIGCHLD, SIG_IGN);
     for (std::string line; std::getline(std::cin, line);)
       {
@@ -151,7 +151,7 @@ namespace Crevasse
   void
   leave_server(const Program program)
   {
-    // A pipe must not take the number of a standard stream that is closed.
+    // A pipe must not get the descriptor of a closed standard stream.
     for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
       if (fcntl(stream, F_GETFD) < 0)
         open("/dev/null", O_RDWR);

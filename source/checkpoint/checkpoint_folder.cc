@@ -18,12 +18,12 @@ namespace Crevasse
 
   namespace
   {
-    /** Of the files; what was written by another one cannot be read. */
+    /** Format of a checkpoint's files; other formats cannot be read. */
     constexpr int format_version = 16;
 
     constexpr const char *manifest_file = "/manifest.json";
 
-    /** Why a checkpoint is not what was written. */
+    /** Reason why a checkpoint is not as it was written. */
     struct Damaged : std::runtime_error
     {
       using std::runtime_error::runtime_error;
@@ -31,7 +31,7 @@ namespace Crevasse
 
 
 
-    /** @throw FileError if there is one. */
+    /** @throw FileError if @p error is set; its message begins with @p what. */
     void
     throw_if(const std::error_code &error, const std::string &what)
     {
@@ -144,7 +144,7 @@ namespace Crevasse
     throw_if(error, "Cannot make " + folder);
     try
       {
-        // p4est ends the program where it cannot write.
+        // p4est aborts the program if it cannot write.
         require_disk_space(folder + "/room", bytes);
       }
     catch (const FileError &)
@@ -176,7 +176,7 @@ namespace Crevasse
     throw_if(error, "Cannot list " + folder);
     for (const std::string &table : tables)
       {
-        // One that somebody has removed is left out.
+        // A table that somebody has removed is left out.
         const std::string name = directory + '/' + table;
         if (!fs::exists(name, error))
           continue;
@@ -194,7 +194,7 @@ namespace Crevasse
     write_through(directory);
     for (const unsigned int other : numbers())
       if (other + 1 < manifest.number)
-        fs::remove_all(name(other), error); // a nuisance at most if it stays
+        fs::remove_all(name(other), error); // leftovers are harmless
   }
 
 
@@ -202,7 +202,7 @@ namespace Crevasse
   void
   CheckpointFolder::abandon(const unsigned int number) const
   {
-    std::error_code error; // told already is what went wrong
+    std::error_code error; // ignored: the first error is reported
     fs::remove_all(new_name(number), error);
   }
 
@@ -212,7 +212,7 @@ namespace Crevasse
   CheckpointFolder::read(const unsigned int number) const
   {
     const auto require_there = [](const std::string &file) {
-      std::error_code error; // what cannot be looked at is not damaged
+      std::error_code error; // an inaccessible file is not damaged
       if (!fs::exists(file, error) && !error)
         throw Damaged(file + " is missing");
     };

@@ -97,7 +97,7 @@ namespace Crevasse
     last     = Position(written.period, written.step);
     manifest = written;
     requests.skip_interval();
-    // Early ones are small: there is no stress of a whole period yet.
+    // Early checkpoints are small: they lack the stress of a whole period.
     const double bytes = std::max<double>(1., written.bytes());
     seconds_per_byte   = seconds / bytes;
     expected_bytes     = std::max(expected_bytes, bytes);

@@ -16,7 +16,7 @@ namespace Crevasse
 {
   namespace
   {
-    /** How far a run goes, how it solves, and what it is called. */
+    /** Whether a resumed run may have another value of this parameter. */
     bool
     may_differ(const std::string &pointer)
     {
@@ -44,7 +44,7 @@ namespace Crevasse
 
 
 
-    /** A text in which spellings of numbers and blanks do not count. */
+    /** The text with all numbers and blanks written in the same way. */
     std::string
     normal_form(const std::string &text)
     {
@@ -62,7 +62,7 @@ namespace Crevasse
 
 
 
-    /** "/Section/Name" as users know it. */
+    /** Converts "/Section/Name" to "[Section] Name", as users know it. */
     std::string
     describe(const std::string &pointer)
     {
@@ -74,7 +74,7 @@ namespace Crevasse
 
 
 
-    /** 0 if the file cannot be read, which its reader tells better. */
+    /** Checksum of a file; 0 if unreadable: its reader reports that better. */
     std::uint32_t
     checksum_of(const std::string &name)
     {

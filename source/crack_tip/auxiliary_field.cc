@@ -15,8 +15,8 @@ namespace Crevasse
   {
     using Complex = BuecknerField::Complex;
 
-    /** A symmetric tensor with these components in the coordinates of the tip
-     * as a vector in those of the mesh. */
+    /** Converts a symmetric tensor in the coordinates of the tip to a vector in
+     * the coordinates of the mesh. */
     VoigtVector<2>
     to_mesh(const CrackTip              &tip,
             const std::array<double, 3> &t, // 11, 22, 12
@@ -59,7 +59,7 @@ namespace Crevasse
     const double  n     = mode == CrackMode::opening
                             ? 1.5
                             : (mode == CrackMode::sliding ? -0.5 : 0.); // Ψ/Φ
-    const double  power = is_T ? -1. : -0.5; // of z in Φ
+    const double  power = is_T ? -1. : -0.5; // power of z in Φ
     const Complex unit_factor =
       (mode == CrackMode::sliding ? Complex(0., -1.) : Complex(1., 0.)) *
       (two_lips ? 0.5 : 1.);
@@ -95,7 +95,7 @@ namespace Crevasse
       {2. * q_2 * along.imag() + f[0] * g[2] * airy,
        2. * q_1 * along.real() + f[2] * g[0] * airy,
        -q_1 * along.imag() - q_2 * along.real() - f[1] * g[1] * airy}};
-    const auto strain = [&](const Complex &u) { // sym(∇q ⊗ u)
+    const auto strain = [&](const Complex &u) { // strain sym(∇q ⊗ u)
       return std::array<double, 3>{{q_1 * u.real(),
                                     q_2 * u.imag(),
                                     0.5 * (q_1 * u.imag() + q_2 * u.real())}};

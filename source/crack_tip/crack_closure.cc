@@ -10,8 +10,8 @@ namespace Crevasse
   std::array<double, 2>
   closed_parts(const std::vector<LipMoment> &lip)
   {
-    // Half of each interval has the status of its begin, and half that of its
-    // end.
+    // The first half of each interval has the status of its begin, the second
+    // that of its end.
     std::array<double, 3> part   = {};
     const double          period = lip.back().instant - lip.front().instant;
     for (std::size_t i = 1; i < lip.size(); ++i)
@@ -32,7 +32,7 @@ namespace Crevasse
       });
     if (begin->status != LipStatus::open)
       return {0., "the lip is not wholly open at the largest intensity"};
-    // The period before has ended as this one will.
+    // The motion is periodic: the last period ended like this one.
     const auto is_pressed = [](const LipMoment &moment) {
       return moment.status != LipStatus::open;
     };

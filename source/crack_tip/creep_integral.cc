@@ -27,8 +27,8 @@ namespace Crevasse
 
 
 
-    /** ∂W/∂X₁ at the same ε̇ᶜ, as ln A and n vary: then ln s changes by
-     * −(ln A),₁/n − ln s n,₁/n. */
+    /** Derivative ∂W/∂X₁ at constant ε̇ᶜ for varying ln A and n: ln s changes
+     * by −(ln A),₁/n − ln s n,₁/n. */
     double
     slope_of_potential(const double          W,
                        const double          n,
@@ -43,7 +43,7 @@ namespace Crevasse
 
 
 
-    /** ε̇ − ε̇ᶜ at all points. */
+    /** Strain rate without creep, ε̇ − ε̇ᶜ, at all points. */
     Vector
     other_strain_rate(const Body<2>          &body,
                       const MaterialState<2> &material,
@@ -64,7 +64,7 @@ namespace Crevasse
 
 
 
-    /** What the law is like: ln A and n. */
+    /** Parameters ln A and n of the creep law at all points. */
     Vector
     describe_law(const Body<2> &body, const MaterialState<2> &material)
     {
@@ -83,8 +83,8 @@ namespace Crevasse
 
 
 
-    /** Where another material begins than that of the cells at the tip, or
-     * another boundary; 0 if these have several. */
+    /** Distance from the tip to another material than that of the cells at the
+     * tip, or to another boundary; 0 if these cells have several materials. */
     double
     end_of_material(const TipRegion         &region,
                     const Space<2>          &space,
@@ -107,7 +107,7 @@ namespace Crevasse
 
 
 
-    /** q and ∇q at a point of the mesh. */
+    /** Weight q and its gradient ∇q at a point of the mesh. */
     std::pair<double, Tensor<1, 2>>
     weight_at(const SquareWeight &weight,
               const CrackTip     &tip,
@@ -222,7 +222,7 @@ namespace Crevasse
               Field::get(stress, p * Field::n_components);
             const double       n = (*material.creep_power)[p].exponent;
             const double       W = potential(n, s, material.creep_rate(p, s));
-            const Tensor<1, 2> along = gradients[q] * tip.ahead; // u̇,₁
+            const Tensor<1, 2> along = gradients[q] * tip.ahead; // slope u̇,₁
             const Tensor<1, 2> flux({s[0] * along[0] + s[3] * along[1],
                                      s[3] * along[0] + s[1] * along[1]});
             double             divergence =

@@ -16,13 +16,13 @@ namespace Crevasse
 
   namespace
   {
-    /** A cubic polynomial of u from 0 to 1, with its derivatives. */
+    /** A cubic polynomial of u ∈ [0,1], with its derivatives. */
     struct Segment
     {
       Point<3>     begin, end;
       Tensor<1, 3> slope_begin, slope_end;
 
-      /** With these derivatives a circle is met best. */
+      /** Chooses the end slopes that approximate a circle best. */
       Segment(const FrontCurve::Chain &chain, const unsigned int i)
         : begin(chain.points[i])
         , end(chain.points[i + 1])
@@ -67,8 +67,8 @@ namespace Crevasse
         return sum;
       }
 
-      /** The parameter of the point nearest to another one, by Newton's method;
-       * in [0,1]. */
+      /** Parameter u of the point nearest to @p point, by Newton's method; in
+       * [0,1]. */
       double
       nearest(const Point<3> &point) const
       {
@@ -141,7 +141,7 @@ namespace Crevasse
                         ", where K is not known. Turn this off.");
     };
     std::vector<FrontEdge> left  = edges;
-    const auto             begin = [&left]() { // of an open one if there is one
+    const auto             begin = [&left]() { // open fronts first
       return std::find_if(left.begin(), left.end(), [&](const auto &edge) {
         return std::none_of(left.begin(), left.end(), [&](const auto &before) {
           return before.last == edge.first;
@@ -184,7 +184,7 @@ namespace Crevasse
     Tensor<1, 3>    chord = at_begin ? chain.points[1] - chain.points[0]
                                      : chain.points[n] - chain.points[n - 1];
     chord /= chord.norm();
-    // That of the circle through the last three.
+    // Tangent of the circle through the last three points.
     const Tensor<1, 3> &inner = chain.tangents[at_begin ? 1 : n - 1];
     const Tensor<1, 3>  tangent =
       n == 1 ? chord : 2. * (chord * inner) * chord - inner;
@@ -205,7 +205,7 @@ namespace Crevasse
                              face->vertex(2) - face->vertex(0));
           normal /= normal.norm();
           if (std::abs(normal * chain.inward) > 0.5)
-            continue; // in the crack plane
+            continue; // face in the crack plane
           constexpr double cos_of_ten_degrees = 0.985;
           if (std::abs(normal * tangent) < cos_of_ten_degrees)
             throw SceneError(
@@ -311,7 +311,7 @@ namespace Crevasse
         for (const Chain &other : all)
           for (const Point<3> &point : other.points)
             {
-              // Of the circle that touches here and goes through the other.
+              // Radius of the circle tangent here and through the other point.
               const Tensor<1, 3> way = point - chain.points[i];
               const Tensor<1, 3> across =
                 way - (way * chain.tangents[i]) * chain.tangents[i];

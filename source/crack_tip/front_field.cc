@@ -9,8 +9,8 @@ namespace Crevasse
 
   namespace
   {
-    /** Of unit K_III, f = 1/√(2πz) differentiated along the crack, half of it:
-     * 2μ u_t = 2 Im f, and the stress function −Re ∫f dz. */
+    /** Potential of unit K_III, f = 1/√(2πz), differentiated along the crack
+     * and halved: 2μ u_t = 2 Im f, and the stress function is −Re ∫f dz. */
     std::complex<double>
     antiplane_potential(const FrontFrame &frame)
     {

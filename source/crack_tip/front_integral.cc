@@ -12,9 +12,9 @@ namespace Crevasse
 
   namespace
   {
-    /** Gauss points that crowd at both ends, x = u³(10 − 15u + 6u²): in cells
-     * at the front for products with r^(−3/2) at any edge, on the lip with
-     * r^(−1/2). */
+    /** Gauss points clustered at both ends, x = u³(10 − 15u + 6u²): for
+     * products with r^(−3/2) at any edge of cells at the front, and with
+     * r^(−1/2) on the lip. */
     Quadrature<1>
     crowded_rule(const unsigned int n)
     {
@@ -63,7 +63,7 @@ namespace Crevasse
   void
   FrontIntegral::integrate_over_cells()
   {
-    // In parts, as hats of small elements bend within larger cells.
+    // In parts, as hats of small elements have kinks within larger cells.
     KernelRules<3> rules(body.space,
                          QIterated<3>(QGauss<1>(3), 4),
                          Quadrature<3>(crowded_rule(18)));
@@ -151,7 +151,7 @@ namespace Crevasse
                               (cell->center() - values.quadrature_point(q)) *
                                 frame.inward);
               frame.Y                     = std::copysign(0., side);
-              const Tensor<1, 3> traction = // times displacement, outwards
+              const Tensor<1, 3> traction = // displacement in outward traction
                 -side * fields.weight.factor(frame.X)[0] * values.JxW(q) *
                 fields.displacement(frame);
               SymmetricTensor<2, 3> local;
@@ -189,7 +189,7 @@ namespace Crevasse
   void
   FrontIntegral::balance(const std::vector<VoigtVector<3>> &lips)
   {
-    // Spread over the volume: stress is largest at the front.
+    // Spread corrections over the volume: stress is largest at the front.
     std::vector<double> volumes(body.points.n_local_points);
     for (const auto &cell : owned_cells(body.space.mesh()))
       if (region.is_near(cell, fields.weight.radius))

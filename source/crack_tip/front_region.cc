@@ -23,7 +23,7 @@ namespace Crevasse
 
 
 
-    /** The frames at points of a face that is straight between its vertices. */
+    /** Frames at points of a face that is straight between its vertices. */
     std::vector<FrontFrame>
     frames_of(const FrontCurve                      &curve,
               const Triangulation<3>::face_iterator &face)
@@ -82,9 +82,9 @@ namespace Crevasse
   {
     const std::vector<FrontEdge> edges =
       oriented_crack_front(space.mesh(), space.roles);
-    // Coordinates, chain, s, whether it is on a plane of symmetry.
+    // Entries: coordinates, chain, s, whether on a plane of symmetry.
     std::vector<std::array<double, 6>> found;
-    double worst = 0.; // distance to the curve, of cells 1
+    double worst = 0.; // largest distance to the curve / cell
     for (const auto &cell : owned_cells(space.mesh()))
       {
         const unsigned int index  = cell->active_cell_index();
@@ -197,17 +197,17 @@ namespace Crevasse
                        [](const auto &place, const Vertex &vertex) {
                          return place < std::make_pair(vertex.chain, vertex.s);
                        });
-    // The vertex before; the first of its chain has s = 0, but for rounding.
+    // Find the vertex before; the first of its chain has s = 0 to rounding.
     unsigned int i =
       after == vertices.begin() ? 0 : after - vertices.begin() - 1;
     if (vertices[i].chain != frame.chain)
       ++i;
     if (vertices[i].after == 0.)
-      --i; // at the very end
+      --i; // at the end of the front
     unsigned int next = i + 1;
     if (next == vertices.size() || vertices[next].chain != vertices[i].chain)
       for (next = i; next > 0 && vertices[next - 1].chain == vertices[i].chain;)
-        --next; // once round
+        --next; // first vertex of closed front
     const double length = vertices[i].after;
     const double part = std::clamp((frame.s - vertices[i].s) / length, 0., 1.);
     return {{{i, 1. - part, -1. / length}, {next, part, 1. / length}}};
@@ -230,7 +230,7 @@ namespace Crevasse
     const bool is_loaded =
       space.roles.loaded.count(id) > 0 || space.roles.clamped.count(id) > 0;
     if (all([&](const FrontFrame &f) { return std::abs(f.Y) < tiny; }))
-      // With straight edges it may reach a little beyond the front.
+      // With straight edges a face may reach a little beyond the front.
       return frames[frames.size() / 2].X < 0. ? is_lip : is_plane;
     return !is_lip && !is_loaded && all([&](const FrontFrame &f) {
       const auto &chain = curve.chains()[f.chain];

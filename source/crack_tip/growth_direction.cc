@@ -15,8 +15,8 @@ namespace Crevasse
   {
     constexpr double pi = numbers::PI, p2 = pi * pi, p4 = p2 * p2, p6 = p4 * p2;
 
-    /** F₁₁, F₁₂/m, F₂₁/m, F₂₂ of a short kink at the angle πm: coefficients of
-     * powers of m² (Amestoy, Leblond, Int. J. Solids Struct. 29, 1992). */
+    /** Coefficients of powers of m² in F₁₁, F₁₂/m, F₂₁/m, F₂₂ of a short kink
+     * at the angle πm (Amestoy, Leblond, Int. J. Solids Struct. 29, 1992). */
     // clang-format off
     constexpr std::array<std::array<double, 11>, 4> kink = {{
       {{1., -3. * p2 / 8., p2 - 5. * p4 / 128.,
@@ -35,7 +35,7 @@ namespace Crevasse
 
 
 
-    /** ½ E' dG/dm of a kink. */
+    /** Slope ½ E' dG/dm of a kink's energy release at the angle πm. */
     double
     slope(const double m, const double K_I, const double K_II)
     {
@@ -65,7 +65,7 @@ namespace Crevasse
   {
     if (K_II == 0.)
       return 0.;
-    // On the side where K_II opens the kink G rises and falls once up to 90°.
+    // On the side where K_II opens the kink, G has a single maximum up to 90°.
     const double side = K_II > 0. ? -1. : 1.;
     double       left = 0., right = 0.5;
     for (unsigned int i = 0; i < 60; ++i)

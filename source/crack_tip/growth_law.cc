@@ -24,13 +24,13 @@ namespace Crevasse
         law.creep_parameter == CreepParameter::C_of_t ? history.creep_integral
                                                       : history.intensity;
       const auto known = [](const double value) { return !std::isnan(value); };
-      // The next period is as this one.
+      // The next period equals this one.
       std::vector<double> two_periods = driver;
       two_periods.insert(two_periods.end(), driver.begin(), driver.end());
       double length = 0.;
       for (std::size_t k = 1; k < driver.size(); ++k)
         {
-          // Before a jump the last value goes on, behind it the next one.
+          // Unknown values before a jump are the last ones, behind it the next.
           const double begin = *std::find_if(two_periods.begin() + k - 1,
                                              two_periods.end() - 1,
                                              known);
@@ -86,7 +86,7 @@ namespace Crevasse
          : 0.) +
       (parts.has_creep_part ? creep_growth(law, history) : 0.);
     tip["growth_law"] = text;
-    tip["da_dN"]      = growth; // null if it is not finite
+    tip["da_dN"]      = growth; // null if not finite
     if (!std::isfinite(growth))
       tip["no_da_dN"] = "the law gives no finite growth";
     tip["da_dt"] = growth / history.period();

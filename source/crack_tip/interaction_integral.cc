@@ -14,8 +14,8 @@ namespace Crevasse
 
   namespace
   {
-    /** The strain in the plane: that of a stress there, and of a strain across
-     * the plane, as strain without stress has one. */
+    /** In-plane strain caused by a stress, and by a strain without stress
+     * across the plane. */
     struct PlaneCompliance
     {
       PlaneCompliance(const VoigtMatrix<2> &K, const bool has_hoops)
@@ -41,7 +41,7 @@ namespace Crevasse
 
 
 
-    /** A front that is a circle about the axis. */
+    /** Frame of a circular front about the axis of revolution. */
     FrontFrame
     frame_at(const CrackTip &tip, const Point<2> &point)
     {
@@ -61,7 +61,7 @@ namespace Crevasse
 
 
 
-    /** Of the squares whose τ viscous strain is multiplied by, each with its
+    /** Weights of the squares whose τ multiplies viscous strain, each with its
      * factor. */
     std::vector<std::pair<SquareWeight, double>>
     weights_of_creep(const TipRegion                    &region,
@@ -204,7 +204,7 @@ namespace Crevasse
     area = Utilities::MPI::sum(area, communicator);
     if (kappa_of_ring > 0.)
       {
-        // u₁ = x₁ strains hoops as well, and u₁ = x₂ is not uniform.
+        // On rings u₁ = x₁ strains hoops as well, and u₁ = x₂ is not uniform.
         sum[0] = sum[2] = 0.5 * (sum[0] + sum[2]);
         sum[3]          = 0.;
       }

@@ -9,8 +9,8 @@ namespace Crevasse
 
   namespace
   {
-    /** A rule on a face of the lip, of the weight 1/√r, exact for polynomials
-     * as they occur: r = s² makes it smooth. */
+    /** Quadrature rule on a face of the lip with the weight 1/√r, exact for the
+     * polynomials that occur: r = s² makes the integrand smooth. */
     Quadrature<1>
     inverse_root_rule(const double r_0, const double r_1)
     {
@@ -39,7 +39,7 @@ namespace Crevasse
     const FESystem<2>                   &fe    = space.finite_element;
     std::vector<types::global_dof_index> dofs(fe.n_dofs_per_cell());
     Vector                               per_pressure = space.ghosted_vector();
-    const double factor = tip.two_lips ? 1. : 2.; // the same on the other lip
+    const double factor = tip.two_lips ? 1. : 2.; // two equal lips, or one
     for (const auto &cell : owned_cells(space.dof_handler))
       for (const unsigned int f : cell->face_indices())
         {
@@ -49,7 +49,7 @@ namespace Crevasse
           const Point<2> a   = tip.local(cell->face(f)->vertex(0));
           const Point<2> b   = tip.local(cell->face(f)->vertex(1));
           const double   r_a = -a[0], r_b = -b[0];
-          // Another lip may be anywhere.
+          // Faces of other lips do not count.
           if (!tip.is_on_line(a) || !tip.is_on_line(b) || r_a + r_b <= 0. ||
               std::min(r_a, r_b) >= weight.radius)
             continue;

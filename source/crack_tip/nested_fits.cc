@@ -17,8 +17,8 @@ namespace Crevasse
   {
     constexpr double never = std::numeric_limits<double>::max();
     const auto states = lip.states(state.displacement, state.contact_forces);
-    // From the tip to each node of its lip on this rank, and whether the node
-    // is closed.
+    // Distance from the tip to each node of its lip on this rank, and whether
+    // the node is closed.
     std::vector<std::pair<double, bool>> nodes;
     for (std::size_t k = 0; k < lip.nodes.size(); ++k)
       {
@@ -46,7 +46,7 @@ namespace Crevasse
                          const double              radius,
                          const MPI_Comm            communicator)
   {
-    // Each has a disc of half its radius, which needs data.
+    // Each fit also uses a disc of half its radius, which needs data.
     const double least =
       2. * WilliamsFit::least_radius(points, region, communicator);
     constexpr double closer = 0.7;

@@ -27,8 +27,8 @@ namespace Crevasse
 
 
 
-    /** The least square norm on a segment: that norm is linear between these
-     * candidates. */
+    /** Least square norm max(|X|, |Y|) on a segment: the norm is linear between
+     * these candidates. */
     double
     distance_of_segment(const Point<2> &a, const Point<2> &b)
     {
@@ -94,7 +94,7 @@ namespace Crevasse
       if (reach(points.cell[p]).first == 0.)
         at_tip = matrices[p];
 
-    // Of one rank that has the tip, for all.
+    // All ranks use the matrix of one rank that has the tip.
     const unsigned int none = Utilities::MPI::n_mpi_processes(communicator);
     const unsigned int root =
       Utilities::MPI::min(at_tip
@@ -215,8 +215,8 @@ namespace Crevasse
       return a.second > b.second;
     });
 
-    // A square cuts the cells that reach from its inside to its outside. The
-    // one that is left cuts none of those before, which are larger.
+    // A square cuts a cell with points inside and outside. The remaining radius
+    // cuts none of the cells before, which are larger.
     double radius = at_most;
     for (const Interval &cell : all)
       {

@@ -16,7 +16,7 @@ namespace Crevasse
   namespace
   {
     constexpr unsigned int most_terms = 8;
-    /** Points a term, each with three components of stress. */
+    /** Number of points per term, each with three stress components. */
     constexpr unsigned int points_per_term = 3;
 
     using Terms = std::array<VoigtVector<2>, most_terms>;
@@ -24,7 +24,7 @@ namespace Crevasse
     std::vector<PolarField>
     williams_series()
     {
-      // The stress of a term does not depend on κ: 2 stands for λ = μ.
+      // The stress of a term does not depend on κ: 2 means λ = μ.
       std::vector<PolarField> series;
       for (unsigned int n = 1; n <= most_terms; ++n)
         series.push_back(williams_term(n, 2.));
@@ -33,8 +33,8 @@ namespace Crevasse
 
 
 
-    /** The stresses of the terms at a point, in the coordinates of the mesh;
-     * that of term n times R^(1 − n/2). */
+    /** Stresses of the terms at a point, in the coordinates of the mesh; the
+     * stress of term n is scaled by R^(1 − n/2). */
     Terms
     stresses(const std::vector<PolarField> &series,
              const CrackTip                &tip,
@@ -46,7 +46,7 @@ namespace Crevasse
       Terms              terms;
       for (unsigned int n = 1; n <= most_terms; ++n)
         {
-          // The gradient is that of 2μu.
+          // The term's gradient is the gradient of 2μu.
           const Tensor<2, 2> gradient = series[n - 1].gradient(local);
           Tensor<2, 2>       sigma    = 0.5 * (gradient + transpose(gradient));
           for (unsigned int i = 0; i < 2; ++i)
@@ -63,7 +63,7 @@ namespace Crevasse
 
 
 
-    /** s:s' in the plane. */
+    /** Inner product s:t of stresses in the plane. */
     double
     product(const VoigtVector<2> &s, const VoigtVector<2> &t)
     {
@@ -72,8 +72,8 @@ namespace Crevasse
 
 
 
-    /** The first row of the inverse of a Gram matrix, without the directions
-     * that it does not tell from rounding. */
+    /** First row of the inverse of a Gram matrix, without the directions whose
+     * eigenvalues are rounding. */
     dealii::Vector<double>
     first_row_of_inverse(const FullMatrix<double> &gram, const unsigned int n)
     {
@@ -162,7 +162,7 @@ namespace Crevasse
         VoigtVector<2> sum;
         for (unsigned int i = 0; i < terms; ++i)
           sum += row[i] * at_point[i];
-        sum[3] *= 2.; // s₁₂ and s₂₁
+        sum[3] *= 2.; // counts s₁₂ and s₂₁
         disc.of_stress.emplace_back(p * QuadratureField<2>::n_components,
                                     scale * points.weight[p] * sum);
       }
@@ -177,7 +177,7 @@ namespace Crevasse
                            const CrackTip      &tip,
                            const Disc          &disc) const
   {
-    VoigtVector<2> pressed; // −e₂ ⊗ e₂
+    VoigtVector<2> pressed; // stress −e₂ ⊗ e₂
     pressed[0] = -tip.inward[0] * tip.inward[0];
     pressed[1] = -tip.inward[1] * tip.inward[1];
     pressed[3] = -tip.inward[0] * tip.inward[1];

@@ -15,7 +15,7 @@ namespace Crevasse
 
   namespace
   {
-    /** y = (A' + iA'') x, in real and imaginary parts. Collective.
+    /** Computes y = (A' + iA'') x in real and imaginary parts. Collective.
      *
      * @param[out] y_real @p y_imaginary with the layout of the rows. */
     void
@@ -67,7 +67,7 @@ namespace Crevasse
     if (ordering != nullptr)
       {
         positions    = *ordering;
-        icntl(7)     = 1; // an ordering that is given
+        icntl(7)     = 1; // use a given ordering
         data.perm_in = positions.data();
       }
     factorise(sum);
@@ -120,7 +120,7 @@ namespace Crevasse
     complex_product(real, imaginary, one, zero, b_real, b_imaginary);
     Vector x_real(b_real), x_imaginary(b_imaginary);
     solve(x_real, x_imaginary);
-    Vector &y_real = one, &y_imaginary = zero; // no longer needed
+    Vector &y_real = one, &y_imaginary = zero; // reuse their memory
     complex_product(real, imaginary, x_real, x_imaginary, y_real, y_imaginary);
     y_real -= b_real;
     y_imaginary -= b_imaginary;

@@ -9,14 +9,14 @@ namespace Crevasse
 
   namespace
   {
-    /** A mean force, or the force of an instant, that is more than rounding. */
+    /** Relative size below which a (mean) contact force counts as rounding. */
     constexpr double smallest_force = 1e-10;
 
 
 
-    /** Those bounds that bear a mean force. Collective.
+    /** Marks the bounds that bear a mean force. Collective.
      *
-     * @param size of the forces: what is far below it is rounding. */
+     * @param size of the forces: much smaller forces are rounding. */
     std::vector<bool>
     loaded_bounds(const SecularFlow      *flow,
                   const UnilateralBounds &bounds,
@@ -37,7 +37,7 @@ namespace Crevasse
 
 
 
-    /** At how many instants each node bears a force. */
+    /** Number of instants at which each node bears a force. */
     std::vector<unsigned int>
     count_instants(const PeriodicContactSolution &contact)
     {
@@ -53,7 +53,7 @@ namespace Crevasse
 
 
 
-    /** Where only real forces and real parts of openings are seen. */
+    /** Replaces a compliance by its real part, for the last of an even N. */
     void
     make_real(PeriodicContactProblem::Compliance &compliance)
     {

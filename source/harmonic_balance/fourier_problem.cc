@@ -13,7 +13,7 @@ namespace Crevasse
 
   namespace
   {
-    /** What of the material the method cannot do, with what can. */
+    /** Obstacles that the material is to harmonic balance, with advice. */
     template <int dim>
     std::vector<std::string>
     material_obstacles(const Body<dim> &body)
@@ -87,7 +87,7 @@ namespace Crevasse
 
 
 
-    /** On the first rank, told to all: they must go on alike. */
+    /** Solves on the first rank, for all: ranks must proceed alike. */
     PeriodicContactSolution
     solve_contact(const PeriodicContactProblem &problem,
                   const MPI_Comm                communicator,

@@ -26,7 +26,7 @@ namespace Crevasse
         synthesis(j, 0) = 1.;
         for (unsigned int k = 1; k <= n_harmonics(); ++k)
           {
-            // Multiples of the period are taken away before they are rounded.
+            // Multiples of the period are removed before rounding.
             const double phase  = 2. * numbers::PI * ((j * k) % n) / n;
             const double weight = (is_real(k) ? 1. : 2.) / n;
 

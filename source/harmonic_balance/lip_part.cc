@@ -14,7 +14,7 @@ namespace Crevasse
 
   namespace
   {
-    /** Those chosen, of all ranks. */
+    /** Gathers the chosen values of all ranks. */
     template <typename Number>
     void
     gather_all(const MPI_Comm                   communicator,
@@ -70,7 +70,7 @@ namespace Crevasse
     dealii::Vector<double> on_lip(n_nodes());
     for (unsigned int i = 0; i < bounds.size(); ++i)
       on_lip(first + i) = on_bounds[bounds[i]];
-    // What a rank does not own is zero there: the sum rounds nothing.
+    // Entries of other ranks are zero here, so the sum has no rounding.
     if (n_nodes() > 0)
       Utilities::MPI::sum(on_lip, communicator, on_lip);
     return on_lip;
@@ -138,7 +138,7 @@ namespace Crevasse
   FullMatrix<double>
   LipPart::from_columns(LinearSolver &linear_solver, const Vector &model) const
   {
-    constexpr double       residual_norm = 1e-12; // of unit forces
+    constexpr double       residual_norm = 1e-12; // for unit forces
     const unsigned int     n             = n_nodes();
     FullMatrix<double>     matrix(n, n);
     dealii::Vector<double> unit(n);

@@ -16,14 +16,14 @@ namespace Crevasse
 
   namespace
   {
-    /** Of p nodes at N instants, all nodes of the first instant first: for each
-     * entry, whether it is closed. */
+    /** Active set: whether each entry is closed, for p nodes at N instants, all
+     * nodes of the first instant first. */
     using Set = std::vector<bool>;
 
 
 
-    /** The set of the solution in which every node is by itself and elastic:
-     * g_i = max(0, −(w⁰_i + c_i)) / S_ii with the mean asked for. */
+    /** Initial active set, from the solution in which nodes are uncoupled and
+     * elastic: g_i = max(0, −(w⁰_i + c_i)) / S_ii with the given mean. */
     Set
     first_set(const PeriodicState &state)
     {
@@ -38,8 +38,8 @@ namespace Crevasse
             sorted[j] = w(j * p + i);
           std::sort(sorted.begin(), sorted.end());
 
-          // Closing the m lowest instants to a level takes the sum of what
-          // they are below it.
+          // To close the m lowest instants up to a level takes the sum of their
+          // depths below it.
           const double to_close = N * state.mean_forces(i) *
                                   state.convolution.elastic_compliance(i, i);
           double       taken  = 0.;
@@ -58,7 +58,7 @@ namespace Crevasse
 
 
 
-    /** Adds the solution for what a state leaves of the equations on the
+    /** Corrects a state by solving for the residual of its equations on the
      * system's set, to an accuracy relative to the scale of openings. */
     void
     correct(PeriodicState &state, PeriodicSystem &system, const double accuracy)
@@ -77,7 +77,7 @@ namespace Crevasse
 
 
 
-    /** Solves on a set, starting from the state. */
+    /** Solves the equations on an active set, starting from the state. */
     void
     solve_on(const Set &set, PeriodicSystem &system, PeriodicState &state)
     {
@@ -92,7 +92,7 @@ namespace Crevasse
 
 
 
-    /** One step of iterative refinement. */
+    /** Makes one step of iterative refinement. */
     void
     refine(PeriodicSystem &system, PeriodicState &state)
     {
@@ -102,8 +102,8 @@ namespace Crevasse
 
 
 
-    /** The tension of a closed entry or the penetration of an open one,
-     * relative to the scales. */
+    /** Tension of closed entries and penetration of open ones, relative to the
+     * scales. */
     LipVector
     violations(const Set &set, const PeriodicState &state)
     {
@@ -117,7 +117,8 @@ namespace Crevasse
 
 
 
-    /** Gives each node without an instant the one that prefers contact most. */
+    /** Adds to the set, for each node without one, the instant nearest to
+     * contact. */
     void
     keep_one_instant(Set &set, const PeriodicState &state)
     {
@@ -143,8 +144,7 @@ namespace Crevasse
 
 
 
-    /** The set that a state calls for; less than the margin calls for
-     * nothing. */
+    /** Next active set: entries with a larger violation change their state. */
     Set
     next_set(const Set &set, const PeriodicState &state, const double margin)
     {
@@ -167,8 +167,8 @@ namespace Crevasse
 
 
 
-    /** Primal–dual active sets, from the one given. @return whether the last
-     * one is the solution's. */
+    /** Iterates primal–dual active sets from @p set. @return whether the last
+     * one solves the problem. */
     bool
     find_set(const unsigned int most_sets,
              const double       tolerance,
@@ -177,7 +177,7 @@ namespace Crevasse
              Set               &set,
              unsigned int      &n_sets)
     {
-      // Most sets are not the last: they are solved on less accurately.
+      // Sets before the last are solved less accurately.
       constexpr double rough_margin = 1e-7, margin = 1e-12;
       std::set<Set>    seen;
       Set              best;
@@ -214,10 +214,10 @@ namespace Crevasse
 
 
 
-    /** Proximal points g_k, where w = w⁰ + S ∗ g + c + D (g − g_{k−1}) with a
-     * number D that falls, or rises where sets come back for it too: their sets
-     * lead to that of the solution.
-     * @return whether it was found. */
+    /** Approaches the solution by proximal points g_k, where w = w⁰ + S ∗ g + c
+     * + D (g − g_{k−1}) with a number D that falls, or rises if sets recur, so
+     * that their sets lead to the set of the solution.
+     * @return whether this set was found. */
     bool
     approach(const double             tolerance,
              PeriodicSystem          &system,
@@ -262,7 +262,7 @@ namespace Crevasse
 
 
 
-    /** @throw NumericalError */
+    /** @throw NumericalError if a number of the problem is not finite. */
     void
     require_finite(const PeriodicContactProblem &problem)
     {
@@ -308,7 +308,7 @@ namespace Crevasse
     bool                      is_solved = true;
     if (N == 1)
       {
-        // Nothing varies: the mean itself, and closed.
+        // A constant solution: mean forces, and all nodes closed.
         state.forces = problem.mean_forces;
         state.offsets -= state.without_contact;
         state.compute_openings();

@@ -18,8 +18,8 @@ namespace Crevasse
     using Complex = std::complex<double>;
   }
 
-  /** N reals and N/2 + 1 complex numbers for each of many functions that are
-   * interleaved, with both transforms between them. */
+  /** Buffers and plans of both transforms between N reals and N/2 + 1 complex
+   * numbers, for many interleaved functions. */
   struct PeriodicConvolution::Transforms
   {
     Transforms(const int N, const int n_functions)
@@ -29,7 +29,7 @@ namespace Crevasse
       const int  n   = n_functions;
       double    *x   = values.data();
       const auto x_n = reinterpret_cast<fftw_complex *>(harmonics.data());
-      // Estimated plans do not depend on how busy the machine was.
+      // Estimated plans do not depend on the load of the machine.
       forward = fftw_plan_many_dft_r2c(
         1, &N, n, x, nullptr, n, 1, x_n, nullptr, n, 1, FFTW_ESTIMATE);
       backward = fftw_plan_many_dft_c2r(
@@ -65,7 +65,7 @@ namespace Crevasse
     AssertDimension(compliances.size(), n_instants / 2);
     for (const auto &[matrix, factor] : compliances)
       {
-        elastic_compliance.reinit(n_nodes, n_nodes); // the last one stays
+        elastic_compliance.reinit(n_nodes, n_nodes); // the last one remains
         for (unsigned int i = 0; i < n_nodes; ++i)
           {
             largest_compliance =
@@ -97,8 +97,8 @@ namespace Crevasse
         const auto of_nodes          = transforms->harmonics.begin() + n * p;
         std::copy_n(of_nodes, p, harmonic.begin());
         matrix->vmult(response, harmonic);
-        // The transforms do not divide by N. The last harmonic of an even N
-        // is real, and so is what the transform back takes of it.
+        // FFTW's transforms do not divide by N. The inverse transform uses only
+        // the real part of the last harmonic of an even N.
         for (unsigned int i = 0; i < p; ++i)
           of_nodes[i] =
             response(i) * (factor / static_cast<double>(n_instants));

@@ -70,7 +70,7 @@ namespace Crevasse
     const double force = force_scale(), length = opening_scale();
     const double opening = length > 0. ? length : 1.;
     const auto   enlarge = [](double &largest, const double value) {
-      // What is not a number stays.
+      // A largest value that is nan stays nan.
       if (!std::isnan(largest) && !(value <= largest))
         largest = value;
     };

@@ -81,7 +81,7 @@ namespace Crevasse
     if (kernel.empty())
       kernel = convolution.kernel();
 
-    // With ones on the diagonal, the pivots are comparable whatever the units.
+    // Scaled to a unit diagonal, pivots are comparable whatever the units.
     scaling.reinit(m + p);
     for (unsigned int a = 0; a < m; ++a)
       {
@@ -135,7 +135,7 @@ namespace Crevasse
             inverse(a, b) = elastic(node(a), node(b)) + (a == b ? shift : 0.);
         inverse.compute_cholesky_factorization();
         inverse.invert();
-        // What eliminates x leaves for c: Σ over the instants.
+        // Schur complement for c after elimination of x: Σ over the instants.
         for (unsigned int b = 0; b < m; ++b)
           for (unsigned int a = 0; a < m; ++a)
             border(node(a), node(b)) += inverse(a, b);
@@ -151,7 +151,7 @@ namespace Crevasse
   {
     const unsigned int p = system.convolution.n_nodes;
     const unsigned int m = system.unknowns.size();
-    // First without offsets; what the mean then lacks asks for them.
+    // First solve without offsets; the missing mean determines the offsets.
     offsets.reinit(p, true);
     for (unsigned int i = 0; i < p; ++i)
       offsets(i) = -right(m + i);
@@ -242,7 +242,7 @@ namespace Crevasse
       b(m + i) = convolution.n_instants * means(i);
     if (matrix.m() > 0 || !solve_iteratively(b, accuracy, solution))
       {
-        // About 300 MB, and ten seconds.
+        // A factor of this size takes about 300 MB and ten seconds.
         constexpr unsigned int largest_factor = 6000;
         if (m > largest_factor)
           throw NumericalError(

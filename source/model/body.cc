@@ -22,7 +22,7 @@ namespace Crevasse
 
   namespace
   {
-    /** A file may be there for some of the processes only. */
+    /** Reads the temperature. Its file may exist for some processes only. */
     template <int dim>
     Temperature<dim>
     read_temperature(const LoadParameters &loads, const MPI_Comm communicator)
@@ -38,7 +38,7 @@ namespace Crevasse
 
 
 
-    /** The size of the smallest cell at the tip, over all ranks. */
+    /** Size of the smallest cell at the tip, over all ranks. */
     double
     cell_size_at(const CrackTip &tip, const Mesh<2> &mesh)
     {
@@ -52,9 +52,8 @@ namespace Crevasse
 
 
 
-    /** The singular functions of [Discretisation]. Collective. @throw
-     * SceneError as elasticity_at(), or if cracks are straight for too short.
-     */
+    /** Singular functions of [Discretisation]. Collective. @throw SceneError as
+     * elasticity_at() does, or if the straight part of a crack is too short. */
     template <int dim>
     SingularFunctions
     tip_functions(const Scene            &scene,
@@ -133,7 +132,7 @@ namespace Crevasse
   std::vector<FixedPoint<dim>>
   fixed_points(const Scene &scene)
   {
-    // Without those that would only hold a radius.
+    // Without built-in supports, which would only hold a radius.
     if (scene.boundary.fixed_points->is_automatic && scene.is_axisymmetric())
       return {};
     return scene.boundary.fixed_points->is_automatic
@@ -159,7 +158,7 @@ namespace Crevasse
             boost::algorithm::to_lower_copy(std::string(role.name)) + ' ' +
             Text::join(numbers, ", "));
       }
-    // As in a scene: components follow a colon unless all are fixed.
+    // Format of scenes: components follow a colon unless all are fixed.
     for (const FixedPoint<dim> &fixed : fixed_points<dim>(scene))
       {
         std::vector<std::string> components;
@@ -188,7 +187,7 @@ namespace Crevasse
           require_room<dim>(scene, cells, communicator);
         },
         boundary_roles(scene).crack);
-      // The middle of a face between arcs would have to lie on its surface.
+      // The centre of a face between arcs would have to lie on its surface.
       if (dim == 3 && has_curved_edges(*mesh) &&
           (scene.geometry.refinements > 0 ||
            scene.refinement.strategy != RefinementStrategy::none))
@@ -229,7 +228,7 @@ namespace Crevasse
     , loads(space, strain_operator, scene.loads)
   {
     require_materials(scene, *mesh);
-    // What the tables say must be what is computed.
+    // Effects in the tables must agree with the computation.
     Assert((Effects::first_on(effects.free_strains) != nullptr) ==
              material.has_thermal_strain,
            ExcInternalError());
@@ -248,7 +247,7 @@ namespace Crevasse
            const Temperature<2>           &temperature,
            const double                    t)
   {
-    // So close to the tip a smooth formula changes by less than the jump.
+    // So close to the tip a smooth formula changes by less than a jump.
     constexpr double              close = 1e-6, jump = 1e-3;
     const QGauss<2>               rule(4);
     const MappingQ1<2>            mapping;

@@ -42,7 +42,7 @@ namespace Crevasse
         open_solver =
           std::make_unique<GmgCg<dim>>(levels, *A, stiffness, bounds.dofs);
         linear_operator = std::move(A);
-        // Now that the products have made what they share of their cells.
+        // By now the products have created the shared data of the levels.
         if (similar == nullptr)
           bytes_of_levels = levels->memory_consumption();
         ++setups.multigrid_setups;
@@ -94,7 +94,7 @@ namespace Crevasse
             dynamic_cast<DirectSolver &>(linear_solver()), // see choose_contact
             parameters.tolerance);
         case ContactSolverType::automatic:
-          break; // chosen before
+          break; // replaced by a choice before
       }
     AssertThrow(false, ExcInternalError());
     return nullptr;

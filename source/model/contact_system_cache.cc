@@ -13,7 +13,7 @@ namespace Crevasse
 
   namespace
   {
-    /** Values of the material over a time c: AlgorithmicModuli or
+    /** Computes values of the material for a time c: AlgorithmicModuli or
      * RelaxationFunctions. */
     template <typename Values, int dim>
     std::shared_ptr<Values>
@@ -63,7 +63,7 @@ namespace Crevasse
     , systems(memory,
               [this](const ContactSystem<dim> &system) {
                 add(system.statistics());
-                // What is not kept was the last one before the new one.
+                // A dropped system was requested last before the new one.
                 requests.erase(requests.end() - 2);
               })
     , tangents(body,
@@ -109,7 +109,7 @@ namespace Crevasse
     const MaterialField<dim> &field = body.material;
     const bool varies = field.stiffness_varies || field.fluidity_varies ||
                         field.thermal_strain_varies;
-    // The only state of a material that does not vary is at t = 0.
+    // A material that does not vary has its only state at t = 0.
     const auto state = materials.at({varies ? t : 0., 0.}, [&]() {
       return std::make_shared<MaterialState<dim>>(field.at(t));
     });
@@ -249,8 +249,8 @@ namespace Crevasse
   {
     if (const std::optional<double> factor = *scene.contact.relaxation_factor)
       return *factor;
-    // It is a property of A: what is loaded only by thermal strain, or by
-    // nothing, has the same.
+    // The factor is a property of A: a body with only thermal strain or without
+    // load has the same.
     Vector forces = loads;
     if (forces.linfty_norm() == 0.)
       {
@@ -260,7 +260,7 @@ namespace Crevasse
     const double norm = forces.linfty_norm();
 
     log.line("  searching for the relaxation factor of projected SOR");
-    // As the paper does, without constraints; eight digits show the asymptotic
+    // As in the paper, without constraints; eight digits show the asymptotic
     // contraction.
     const Stopwatch        phase("relaxation factor");
     const UnilateralBounds none;

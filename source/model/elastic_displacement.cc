@@ -44,8 +44,8 @@ namespace Crevasse
         return solution(solver, loads);
       }
 
-    // The other space's constraints agree with this one's but for the openings,
-    // where the loads then do not count.
+    // Constraints of the other space differ only in the openings, where loads
+    // then do not count.
     const SingularShapes *const shapes = body.space.singular_shapes();
     const Space<dim>            closed_space(body.space.triangulation,
                                   body.space.finite_element.degree,

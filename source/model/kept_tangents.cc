@@ -79,7 +79,7 @@ namespace Crevasse
         (tangents.size() == most ||
          !memory.grants(made.system->memory_consumption())))
       drop(nearest_entry(t));
-    // What the system refers to stays where it is.
+    // Moving keeps the addresses of what the system refers to.
     return tangents.emplace(t, std::move(made)).first->second;
   }
 

@@ -11,8 +11,8 @@ namespace Crevasse
 {
   namespace
   {
-    /** The largest nodal force of the stress that thermal strain would cause
-     * in a body that is held everywhere. */
+    /** Largest nodal force of the stress that thermal strain would cause in a
+     * body that is held everywhere. */
     template <int dim>
     double
     largest_thermal_load(const Body<dim> &body, const double t)
@@ -45,8 +45,7 @@ namespace Crevasse
 
   namespace
   {
-    /** The one of these instants with the largest load vector, the first of
-     * several. */
+    /** The first of these instants with the largest load vector. */
     template <int dim>
     double
     of_largest_load(const Body<dim> &body, const std::vector<double> &instants)
@@ -98,7 +97,7 @@ namespace Crevasse
   double
   largest_load(const Body<dim> &body, const StepList &steps)
   {
-    // Between the samples too, where the stages of the integrators are.
+    // Loads count also between samples, at the stages of integrators.
     Vector loads;
     body.strain_operator.initialize(loads);
     double largest = 0.;
@@ -128,7 +127,7 @@ namespace Crevasse
   double
   load_missed_by_steps(const Body<dim> &body, const StepList &steps)
   {
-    // Commensurate with nothing: the middle of a step may meet a zero, too.
+    // The fraction is irrational: the middle of a step may be a zero of loads.
     constexpr double fraction = 0.6180339887498949;
     double           missed = 0., largest = 0.;
     for (unsigned int k = 0; k < steps.n_steps(); ++k)
@@ -137,7 +136,7 @@ namespace Crevasse
         Vector       line   = loads_at(body, begin);
         Vector       within = loads_at(body, begin + fraction * (end - begin));
         largest = std::max({largest, line.l2_norm(), within.l2_norm()});
-        // A jump at the end of a step is not within it.
+        // A jump at the end of a step does not belong to the step.
         line.sadd(1. - fraction,
                   fraction,
                   loads_at(body, steps.just_before(end)));
@@ -153,8 +152,8 @@ namespace Crevasse
   std::vector<double>
   instants_of_scale(const Body<dim> &body, const StepList &steps)
   {
-    // Steps may meet a load at its zeros only; multiples of the golden ratio
-    // are commensurate with nothing.
+    // Steps may meet a load only at its zeros; multiples of the golden ratio do
+    // not.
     constexpr double       golden    = 0.6180339887498949;
     constexpr unsigned int n_sampled = 200, n_chosen = 5;
     std::vector<double>    sampled;
@@ -170,8 +169,8 @@ namespace Crevasse
 
   namespace
   {
-    // What is continuous changes by about 1e-10 of itself within the period;
-    // from its end to its begin by more, where a formula has a rounded π.
+    // Continuous values change by about 1e-10 within the period; by more from
+    // its end to its begin if a formula has a rounded π.
     constexpr double negligible_within    = 1e-6;
     constexpr double negligible_at_border = 1e-4;
 
@@ -194,7 +193,7 @@ namespace Crevasse
       if (factors_differ(a.stiffness_factor, b.stiffness_factor) ||
           factors_differ(a.viscosity_factor, b.viscosity_factor))
         return true;
-      // At any of the points of this rank; what has a scale may vanish for an
+      // Compares all points of this rank; values with a scale may vanish for an
       // instant.
       const auto differ =
         [&](const auto &x, const auto &y, const double scale) {
@@ -215,7 +214,7 @@ namespace Crevasse
       else if (body.material.fluidity_varies)
         for (std::size_t p = 0; p < body.points.n_local_points; ++p)
           {
-            // The squares of coefficients may be too small for a computer.
+            // Squares of coefficients may underflow.
             const CreepPower<dim> &x = (*a.creep_power)[p];
             const CreepPower<dim> &y = (*b.creep_power)[p];
             jumps = jumps || factors_differ(x.exponent, y.exponent) ||
@@ -238,7 +237,7 @@ namespace Crevasse
     std::vector<double> jumps;
     const double        thermal_strain =
       body.material.largest_thermal_strain(steps.survey_instants({}));
-    // A period ends where t begins anew: any formula can jump there.
+    // A period ends where t restarts: any formula can jump there.
     const bool within = formulas_can_jump(scene);
     for (unsigned int k = within ? 1 : steps.n_steps(); k <= steps.n_steps();
          ++k)

@@ -16,9 +16,9 @@ namespace Crevasse
 
   namespace
   {
-    /** Entries of so many rows of a stiffness: on average 3 (degree 1) or 4
-     * (degree 2) nodes along each direction share a cell with a node, each with
-     * dim components. */
+    /** Number of entries in so many rows of a stiffness: on average 3 (degree
+     * 1) or 4 (degree 2) nodes along each direction share a cell with a node,
+     * each with dim components. */
     template <int dim>
     double
     n_matrix_entries(const double n_rows, const unsigned int degree)
@@ -28,8 +28,8 @@ namespace Crevasse
 
 
 
-    /** ML counts with 32 bits: where a process had 0.9e9 entries it wrote
-     * beyond its arrays (Trilinos 13.2), with 0.5e9 it worked. */
+    /** Largest number of entries of a process for ML, which counts with 32
+     * bits: 0.9e9 corrupted memory (Trilinos 13.2), 0.5e9 worked. */
     constexpr double most_entries_of_ml = 0.5e9;
 
 
@@ -77,9 +77,9 @@ namespace Crevasse
 
   namespace
   {
-    /** Whether [Linear solver] Type = gmg can be had and pays on a mesh with
-     * levels: nothing needs a matrix, and the first mesh has so few unknowns,
-     * @p n_coarsest, that a factorisation solves on it. */
+    /** Whether [Linear solver] Type = gmg is possible and pays on a mesh with
+     * levels: nothing needs a matrix, and the first mesh has few enough
+     * unknowns, @p n_coarsest, for a factorisation. */
     bool
     may_use_gmg(const Scene       &scene,
                 const unsigned int dimension,
@@ -154,7 +154,7 @@ namespace Crevasse
         return {parameters.solver,
                 "[Contact] Solver = " + name_of(parameters.solver)};
 
-      // The dense matrices of the condensed problem grow with the square of the
+      // Dense matrices of the condensed problem grow with the square of the
       // lip, the work on them with its cube (measured: doc/contact_solvers.md).
       constexpr std::size_t largest_lip = 10000;
       const std::string     n           = std::to_string(largest_lip);
@@ -231,7 +231,7 @@ namespace Crevasse
                degree,
                n_ranks);
 
-    // An entry is a value and a column.
+    // Each entry stores a value and a column.
     const double matrix = (sizeof(double) + sizeof(int)) *
                           n_matrix_entries<dim>(n_unknowns, degree);
     if (type == Choice::amg)
@@ -256,8 +256,8 @@ namespace Crevasse
     const double       per_cell = dim * std::pow(degree, dim);
     const double       unknowns = per_cell * cells.all;
     const double       coarsest = per_cell * cells.first;
-    // A mesh without levels is its own first one: if a factorisation can solve
-    // on that, memory is hardly short.
+    // A mesh without levels is its own first mesh: if a factorisation fits on
+    // it, memory is hardly short.
     const LinearSolverChoice solver =
       choose_linear_solver(scene.linear_solver,
                            dim,
@@ -267,7 +267,7 @@ namespace Crevasse
     if (solver.type == LinearSolverType::amg)
       require_work_for_ml<dim>(scene, unknowns / n_ranks, unknowns, n_ranks);
 
-    // Less than any mesh that was measured; each rank has all of the first one.
+    // Less than for any measured mesh; each rank stores the whole first mesh.
     constexpr double bytes_per_cell = dim == 2 ? 250. : 400.;
     const double     needed =
       bytes_per_cell * cells.first +

@@ -20,7 +20,7 @@ namespace Crevasse
 
 
 
-    /** Of all ranks: each one knows the coarse mesh. */
+    /** Material ids of all ranks: each rank knows the coarse mesh. */
     template <int dim>
     Ids
     material_ids(const Mesh<dim> &mesh)
@@ -33,7 +33,7 @@ namespace Crevasse
 
 
 
-    /** "1 (blade)" */
+    /** Formats an id and its name: "1 (blade)". */
     std::string
     describe(const unsigned int                         id,
              const std::map<unsigned int, std::string> &names)
@@ -45,7 +45,7 @@ namespace Crevasse
 
 
 
-    /** The ids with which a formula compares the material. */
+    /** Material ids with which a formula compares. */
     std::set<unsigned int>
     compared_ids(const std::string &formula)
     {
@@ -79,7 +79,7 @@ namespace Crevasse
                       strain.components->end());
 
     const Ids existing = material_ids(mesh);
-    // By parameter and formula, each once.
+    // Missing ids by parameter and formula, without repetition.
     std::map<std::string, std::set<unsigned int>> missing;
     for (const Expression &formula : formulas)
       for (const unsigned int id : compared_ids(formula.formula()))
@@ -89,7 +89,7 @@ namespace Crevasse
             .insert(id);
     if (missing.empty())
       return;
-    const auto               names = material_names(scene); // reads the file
+    const auto               names = material_names(scene); // reads file
     std::vector<std::string> list;
     for (const auto id : existing)
       list.push_back(describe(id, names));

@@ -17,7 +17,7 @@ namespace Crevasse
 
   namespace
   {
-    /** Which vertices of a cell are on the front. */
+    /** Marks the vertices of a cell that are on the front. */
     template <int dim>
     std::bitset<GeometryInfo<dim>::vertices_per_cell>
     at_front(const TriaIterator<CellAccessor<dim>> &cell,
@@ -34,7 +34,7 @@ namespace Crevasse
 
 
 
-    /** Divides the cells once that have a vertex on the front. */
+    /** Divides all cells with a vertex on the front once. */
     template <int dim>
     void
     refine_front(Mesh<dim>             &mesh,
@@ -85,13 +85,13 @@ namespace Crevasse
     centres           = of_all_ranks(communicator, centres);
     sizes             = of_all_ranks(communicator, sizes);
     const auto   partners = find_partners(centres, sizes);
-    unsigned int first    = 0; // of this rank's faces among all
+    unsigned int first    = 0; // index of this rank's first face
     for (unsigned int r = 0; r < Utilities::MPI::this_mpi_process(communicator);
          ++r)
       first += counts[r];
 
-    // What faces without partner are parts of: a coarser one lies there. The
-    // first part stands for all.
+    // Parents of faces without partner: a coarser face is opposite to them. The
+    // first child stands for all children.
     std::vector<Point<dim>> wholes;
     std::vector<double>     sizes_of_wholes;
     unsigned int            i = first;
@@ -147,7 +147,7 @@ namespace Crevasse
       GeometryInfo<dim>::max_children_per_cell;
     const double smooth   = std::pow(0.5, 2 * degree + dim);
     const double singular = std::pow(0.5, dim - 1);
-    // Of a cell, and of the children that it would have.
+    // Squared errors of a cell, and of the children that it would have.
     using Values = std::array<float, 1 + n_children>;
     std::vector<Values> values(mesh.n_active_cells());
     for (const auto &cell : owned_cells(mesh))
@@ -223,7 +223,7 @@ namespace Crevasse
       parameters.cycles > 0 ? parameters.cycles : finest_level<dim> - begin;
     if (parameters.target_unknowns > 0)
       {
-        // On another mesh: there is no way back from too large a one.
+        // Another mesh is tried: a mesh that is too large cannot be undone.
         const std::shared_ptr<Mesh<dim>> trial   = make_mesh();
         const unsigned int               largest = n_levels;
         for (n_levels = 0; n_levels < largest; ++n_levels)

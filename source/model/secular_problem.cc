@@ -17,7 +17,7 @@ namespace Crevasse
 
 
 
-    /** The size of what the mean load is a mean of. */
+    /** Scale of the loads whose mean is the mean load. */
     template <int dim>
     double
     largest_weighted_load(const Body<dim> &body, const double period)
@@ -39,7 +39,7 @@ namespace Crevasse
 
 
 
-    /** f̄ as the steps of an integrator see it. */
+    /** Mean load f̄ by the quadrature rule of an integrator's steps. */
     template <int dim>
     Vector
     mean_load_of_steps(const Body<dim>  &body,
@@ -76,11 +76,10 @@ namespace Crevasse
 
 
 
-    /** What is to be said if the steps see another mean load than there is;
-     * nothing if they do not.
+    /** Warning if the steps see another mean load; empty if they do not.
      *
-     * @param missed_load by how much it differs.
-     * @param seen the one that they see. */
+     * @param missed_load difference of the mean loads.
+     * @param seen mean load by the steps. */
     std::string
     warning_of_steps(const Vector &mean_load,
                      const Vector &seen,
@@ -98,7 +97,7 @@ namespace Crevasse
                      std::string(advice_on_steps);
       const double mean = mean_load.linfty_norm();
       const double part = missed_load / mean;
-      if (part <= 0.1) // Euler's error of coarse steps
+      if (part <= 0.1) // as Euler's error of coarse steps
         return "";
       std::ostringstream text;
       text << "the mean load over the period is not the one that the time "
@@ -114,8 +113,8 @@ namespace Crevasse
 
 
 
-    /** What is to be said of steps of which some count negatively in the mean
-     * over the period; nothing if none do. */
+    /** Warning of steps with negative weights in the mean over the period;
+     * empty if there are none. */
     std::string
     warning_of_negative_weights(const std::string &scheme,
                                 const Integrator  &integrator)
@@ -143,10 +142,10 @@ namespace Crevasse
 
 
 
-    /** Looks how the steps see the mean load, and takes that for the split.
+    /** Finds the mean load that the steps see, and takes it for the split.
      *
-     * @param largest what the mean load is a mean of.
-     * @throw SceneError if they miss the flow that is split off. */
+     * @param largest scale of the loads.
+     * @throw SceneError if the steps miss the flow that is split off. */
     template <int dim>
     void
     compare_with_steps(const Scene      &scene,
@@ -175,15 +174,15 @@ namespace Crevasse
       else if (split.is_split && body.effects.contact.on)
         split.warning = warning_of_negative_weights(
           traits(scene.time_integration.scheme).name, integrator);
-      // What is marched must not flow on by the error of the steps.
+      // The marched motion must not drift by the error of the steps.
       if (split.is_split && has_weights)
         split.mean_load = seen;
     }
 
 
 
-    /** The τ of a body whose viscosity is τK everywhere: then A serves the
-     * secular problem too. Nothing if it is another body. Collective. */
+    /** Relaxation time τ of a body whose viscosity is τK everywhere: then A
+     * also solves the secular problem. None for other bodies. Collective. */
     template <int dim>
     std::optional<double>
     uniform_relaxation_time(const Body<dim>          &body,
@@ -282,7 +281,7 @@ namespace Crevasse
         ": its steps flow steadily otherwise than the secular problem says, "
         "and contact would depend on the difference. Use Method = march with "
         "Secular split = automatic, or another scheme, such as sdirk2.");
-    // Adaptive steps are found where the loads are.
+    // Adaptive steps resolve the loads.
     if (scene.time_integration.step_control == StepControlType::adaptive)
       return split;
     compare_with_steps(scene, body, steps, *integrator, largest, split);
@@ -300,7 +299,7 @@ namespace Crevasse
     const MaterialState<dim> material = body.material.at(0.);
     const Viscosity<dim>     viscosity(body, material);
 
-    // The solver is that of ∫ Dᵀ η D / time.
+    // The matrix of the solver is ∫ Dᵀ η D / time.
     UnilateralBounds bounds =
       unilateral_bounds(body.lip, body.space, body.held_by_contact);
     const bool has_gap =
@@ -317,8 +316,8 @@ namespace Crevasse
     if (const auto tau = uniform_relaxation_time(body, viscosity, material);
         tau && is_closed)
       {
-        // With a load of the size by which that solver judges: the mean, which
-        // has the viscosity in it, may be of any other.
+        // The load is scaled to the size by which that solver judges errors:
+        // the mean contains the viscosity and may have any size.
         time   = *tau;
         factor = settings.largest_load / mean_load.linfty_norm();
         load *= factor;

@@ -12,7 +12,7 @@ namespace Crevasse
   double
   Contraction::add(const double change, const bool counts)
   {
-    // Ratios of what rounding leaves say nothing; those before do.
+    // Ratios of changes as small as rounding are meaningless.
     constexpr double rounding = 1e-10;
     if (!counts || !std::isfinite(change))
       {

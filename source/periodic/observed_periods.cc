@@ -10,7 +10,7 @@ namespace Crevasse
 {
   namespace
   {
-    /** Of variational inequalities, so far. */
+    /** Number of variational inequalities solved so far. */
     std::size_t
     n_solves()
     {
@@ -75,7 +75,7 @@ namespace Crevasse
       observer->serialize(archive);
     if (archive.is_loading())
       {
-        // The tolerance may be smaller by now.
+        // The resumed run may have a smaller tolerance.
         so_far.converged =
           so_far.converged &&
           (!has_memory() ||
@@ -93,7 +93,7 @@ namespace Crevasse
   ObservedPeriods<dim>::begins_another(Vector &r)
   {
     const bool ends = is_over();
-    // The first period on another mesh began as it cannot be begun again.
+    // The start of the first period on another mesh cannot be reproduced.
     if (ends && has_memory() && integration.step_control.repeats_steps() &&
         !integration.integrator->properties.controls_steps &&
         std::isfinite(so_far.stress_change.back()))
@@ -112,7 +112,7 @@ namespace Crevasse
       checkpointer()->at_end_of_search(so_far.periods, so_far.converged);
     else
       checkpointer()->between_steps(so_far.periods, first_step);
-    --so_far.periods; // those that are complete
+    --so_far.periods; // counts complete periods
     return first_step > 0 || !is_over();
   }
 
@@ -203,7 +203,7 @@ namespace Crevasse
     evolution.begin_step(t);
     if (has_memory())
       {
-        // The end of the last step was before the jump.
+        // The rate at the end of the last step is from before the jump.
         if (steps.jumps_at(t))
           integrator->restart();
         step_control.start({*integrator, evolution, steps, k, r, rate});
@@ -278,7 +278,7 @@ namespace Crevasse
     advance(r);
     double change       = history.take_change();
     so_far.steps_repeat = history.is_comparable();
-    // Of a few instants it says nothing, and against none on this mesh either.
+    // A change needs enough common instants and a period on the same mesh.
     if (!so_far.steps_repeat || !is_comparable)
       change = std::numeric_limits<double>::quiet_NaN();
     is_comparable = true;

@@ -23,7 +23,7 @@ namespace Crevasse
                          const StepList  &steps,
                          const double     largest_relaxation_time)
     {
-      // Of the period: then stress falls by 1e-4 within it.
+      // Relaxation time per period with which stress falls to 1e-4 in a period.
       constexpr double               short_time = 0.1;
       const std::vector<std::string> obstacles =
         fourier_obstacles(scene, body, steps);
@@ -63,7 +63,7 @@ namespace Crevasse
                       "nothing but the loads depends on time; the last periods "
                       "bring in what is the scheme's own",
                       true);
-      // Without what to use instead.
+      // The first obstacle, without the advice that follows it.
       return choice(Method::anderson,
                     "no harmonic balance, for " +
                       obstacles.front().substr(0, obstacles.front().find(';')));

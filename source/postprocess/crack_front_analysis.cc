@@ -51,7 +51,7 @@ namespace Crevasse
   double
   CrackFrontAnalysis::choose_radius(const double wish) const
   {
-    // A much larger tube would weigh the stress far away by steep hats.
+    // In a much larger tube, steep hats would weight the stress far away.
     constexpr double several = 3.;
     if (wish == 0.)
       return std::min(region.largest_radius,
@@ -178,7 +178,7 @@ namespace Crevasse
     for (const double t : instants_of_extreme_loads(body, steps))
       {
         const Vector loads = loads_at(body, t);
-        // Along the axes, and in the planes 12, 13 and 23.
+        // Force along the axes, and moment in the planes 12, 13 and 23.
         Tensor<1, 3> force, moment;
         for (unsigned int m = 0; m < 6; ++m)
           {
@@ -190,7 +190,7 @@ namespace Crevasse
               Utilities::MPI::sum(work, body.space.communicator());
           }
         if (!region.curve.two_lips)
-          { // the plane of symmetry bears the others
+          { // others: plane of symmetry
             const Tensor<1, 3> n = region.curve.chains().front().inward;
             force -= (force * n) * n;
             moment = (moment * n) * n;
@@ -215,8 +215,7 @@ namespace Crevasse
     std::vector<bool> closed(vertices.size());
     if (body.effects.viscosity.on)
       return closed;
-    // Distances of the nearest nodes that are pressed, and of those that are
-    // not.
+    // Distances to the nearest closed nodes and to the nearest open nodes.
     std::vector<double> least(2 * closed.size(),
                               std::numeric_limits<double>::max());
     const auto          states =

@@ -89,8 +89,8 @@ namespace Crevasse
            fixed.point.distance(tip.position) < 1e-6 * region.cell_radius);
     if (!is_held)
       return;
-    // What pushes across the crack, the plane of symmetry bears; without it
-    // there must be no force and no moment.
+    // The plane of symmetry bears forces across the crack; without it there
+    // must be no force and no moment.
     using Motion = std::array<double, 3>;
     const std::vector<Motion> motions =
       tip.two_lips
@@ -104,7 +104,7 @@ namespace Crevasse
           const Vector loads = loads_at(body, t);
           double       force = 0.;
           for (unsigned int m = 0; m < modes.size(); ++m)
-            // which may lack singular unknowns: they move nothing
+            // modes may lack singular unknowns: they move nothing
             for (std::size_t i = 0; i < modes[m].locally_owned_size(); ++i)
               force +=
                 motion[m] * modes[m].local_element(i) * loads.local_element(i);

@@ -19,9 +19,9 @@ namespace Crevasse
 
   namespace
   {
-    /** What is derived from the recovered stress: principal stresses in the
-     * plane (space) of the mesh, the largest first, each with its unit vector,
-     * and J₂ = ½ s′:s′ with the deviator s′ of the three-dimensional stress. */
+    /** Adds functions of the recovered stress: principal stresses in the plane
+     * (space) of the mesh, the largest first, with their unit vectors, and J₂ =
+     * ½ s′:s′ with the deviator s′ of the three-dimensional stress. */
     template <int dim>
     void
     add_invariants(const FieldGrid<dim>                &grid,
@@ -66,7 +66,7 @@ namespace Crevasse
   {
     if (sample.step == 0)
       extremes.assign(wanted.followed.size(), {});
-    // Of instants whose values differ by rounding the first is kept.
+    // If the values at two instants differ by rounding, the first is kept.
     for (unsigned int i = 0; i < extremes.size(); ++i)
       {
         auto &[most, size, instant] = extremes[i];
@@ -81,7 +81,7 @@ namespace Crevasse
         is = is || extreme.instant == instant;
       return is;
     };
-    // With all of them, those of the period before may be at other instants.
+    // If all steps are kept, the last period may have had other instants.
     if (!wanted.all || sample.step == 0)
       for (auto entry = snapshots.begin(); entry != snapshots.end();)
         entry =
@@ -195,15 +195,15 @@ namespace Crevasse
       grid.nodal("displacement", 3, space.dof_handler, displacement));
     const auto stress = grid.recovered(snapshot.state.stress);
     arrays.push_back(grid.tensor("stress", stress));
-    const unsigned int n_branches = // 0 in an elastic body
+    const unsigned int n_branches = // 0: elastic
       snapshot.viscous_strain.size() / snapshot.state.stress.size();
     constexpr unsigned int n = n_stress_components<dim>;
     for (unsigned int i = 0; i < n_branches; ++i)
       {
-        Vector branch = snapshot.state.stress; // of its layout
+        Vector branch = snapshot.state.stress; // for its layout
         for (unsigned int k = 0; k < branch.locally_owned_size(); ++k)
           branch.local_element(k) =
-            // From engineering shears to components of a tensor.
+            // Tensors have half the engineering shears.
             (k % n < 3 ? 1. : 0.5) * snapshot.viscous_strain.local_element(
                                        (k / n * n_branches + i) * n + k % n);
         arrays.push_back(

@@ -17,8 +17,8 @@ namespace Crevasse
   namespace
   {
     constexpr double       one_instant = 1e-6;  ///< part of a step
-    constexpr double       in_jump     = 2e-11; ///< of the period, is no step
-    constexpr unsigned int most_trials = 60;    ///< for one instant
+    constexpr double       in_jump     = 2e-11; ///< part of period, no step
+    constexpr unsigned int most_trials = 60;    ///< trials for one instant
   }                                             // namespace
 
 
@@ -84,8 +84,8 @@ namespace Crevasse
         const auto place = std::lower_bound(places.begin(),
                                             places.end(),
                                             body.lip.nodes[k].number);
-        // What the flow opens for good bears only what the search leaves.
-        // Without weight a node may be the only one that is pressed.
+        // Nodes that the flow opens for good only have residual forces. A node
+        // without weight may be the only pressed node.
         constexpr double least         = std::numeric_limits<double>::min();
         values[place - places.begin()] = here[k].is_closed && rates[k] == 0.
                                            ? -std::max(here[k].pressure, least)
@@ -218,7 +218,7 @@ namespace Crevasse
   {
     for (const bool closes : {false, true})
       {
-        // Negative where a node is closed, or where all are.
+        // The value is negative if a node is closed, or if all are.
         const auto value = [&](const Moment &moment) {
           const auto [least, most] = range(lip, moment);
           return closes ? most : least;
@@ -230,7 +230,7 @@ namespace Crevasse
           });
         if (begin == period.end())
           continue;
-        // Pressures and openings have scales of their own; 0 is open.
+        // Pressures and openings have different scales; 0 is open.
         const double before = value(begin[0]), after = value(begin[1]);
         const auto   scaled =
           [low  = -std::min(before, after),
@@ -272,14 +272,14 @@ namespace Crevasse
     const double end    = period[i + 1].openings[node];
     if ((begin < 0.) == (end < 0.))
       return end < 0. ? length : 0.;
-    // The period before has ended as this one does.
+    // The motion is periodic: the last period ended like this one.
     const Moment &earlier = period[i > 0 ? i - 1 : period.size() - 2];
     const double  last_length =
       period[i > 0 ? i : period.size() - 1].instant - earlier.instant;
     const double before = earlier.openings[node];
     const double falls  = std::abs(before) - std::abs(begin);
     double       change = begin == 0. ? 0. : 0.5 * length;
-    // A line that vanishes somewhat later is no jump.
+    // A line that vanishes somewhat later is not a jump.
     if ((before < 0.) == (begin < 0.) && falls > 0. &&
         last_length > in_jump * period.back().instant &&
         std::abs(begin) * last_length <= (length + last_length) * falls)
@@ -363,7 +363,7 @@ namespace Crevasse
     double size = 0.;
     for (const auto &node : body.space.lip.nodes)
       size = std::max(size, node.point.norm());
-    // Along x, then y: rounding of a coordinate is no order.
+    // Rows are sorted by x, then y; coordinates equal to rounding are equal.
     const double rounding = 1e-10 * size;
     std::sort(rows.begin(), rows.end(), [rounding](auto &a, auto &b) {
       unsigned int i = 0;

@@ -17,8 +17,8 @@ namespace Crevasse
     std::vector<double> all(nodes.size() * dim);
     for (unsigned int i = 0; i < all.size(); ++i)
       for (const unsigned int side : {0, 1})
-        // Those of a node are on one rank. Before a rigid plane it has one
-        // side.
+        // A node's degrees of freedom are on one rank. At a rigid plane a node
+        // has one side.
         if (const auto first = nodes[i / dim].sides[side];
             first != numbers::invalid_dof_index &&
             displacement.in_local_range(first))

@@ -50,8 +50,8 @@ namespace Crevasse
 
 
 
-    /** A lip that stays closed needs loads of one sign, and so does any lip
-     * without viscosity, which has no memory to stay open by. */
+    /** Checks the sign of factors, which must not change if the lip stays
+     * closed, nor without viscosity, whose memory can keep the lip open. */
     template <int dim>
     void
     require_suitable_signs(const Body<dim>           &body,

@@ -45,10 +45,9 @@ namespace Crevasse
 
   namespace
   {
-    /** What a run writes besides used.prm, and the report of it, which would
-     * tell of other results than those beside it; as far as it is there.
-     * @throw FileError if a directory is in the way: told now, not when the run
-     * comes to write it. */
+    /** Existing files that a run writes besides used.prm, and reports about
+     * them, which would describe other results than those beside them.
+     * @throw FileError if a directory is in the way, before the run starts. */
     std::vector<fs::path>
     results_in(const std::string &directory)
     {
@@ -78,8 +77,8 @@ namespace Crevasse
 
 
 
-    /** The first of earlier_1, earlier_2, ... that is not there, now made, with
-     * the parameters of the run whose results are to be kept there. */
+    /** Creates the first folder earlier_1, earlier_2, ... that does not exist,
+     * with the parameters of the run whose results are moved there. */
     fs::path
     make_folder_for(const fs::path &used)
     {
@@ -87,7 +86,7 @@ namespace Crevasse
         {
           const fs::path folder =
             used.parent_path() / ("earlier_" + std::to_string(number));
-          // There may be a folder, or a file or link of someone, or another
+          // The name may be taken by a folder, a file or a link, or another
           // process may be faster.
           if (fs::exists(fs::symlink_status(folder)) ||
               !fs::create_directory(folder))
@@ -106,8 +105,8 @@ namespace Crevasse
     try
       {
         const std::vector<fs::path> results = results_in(directory);
-        // It is written anew; as long as it is there, what else is there can be
-        // told to be an earlier run's.
+        // used.prm is written anew; while it exists, the other files belong to
+        // an earlier run.
         const fs::path used = fs::path(directory) / "used.prm";
         if (!fs::is_regular_file(used))
           return "";

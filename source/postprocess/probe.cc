@@ -19,8 +19,8 @@ namespace Crevasse
 
 
 
-    /** The degrees of freedom of a cell and what their shape functions are at
-     * a point; 0 where that is rounding. */
+    /** Degrees of freedom of a cell and the values of their shape functions at
+     * a point; 0 if the value is rounding. */
     template <int dim>
     std::vector<std::pair<types::global_dof_index, double>>
     shape_values(const typename DoFHandler<dim>::active_cell_iterator &cell,
@@ -42,8 +42,8 @@ namespace Crevasse
 
 
 
-    /** The lip face of a cell on which a point of it lies, if there is one. At
-     * a corner of two lips the first one speaks. */
+    /** The lip face of a cell on which a point of it lies, if any. At a corner
+     * of two lips the first is used. */
     template <int dim>
     unsigned int
     lip_face(const typename DoFHandler<dim>::active_cell_iterator &cell,
@@ -51,7 +51,7 @@ namespace Crevasse
              const BoundaryRoles                                  &roles)
     {
       for (const unsigned int f : cell->face_indices())
-        // Faces 2d and 2d+1 are where the unit coordinate d is 0 and 1.
+        // Faces 2d and 2d+1 have the unit coordinate x_d = 0 and 1.
         if (cell->face(f)->at_boundary() &&
             std::abs(unit_point[f / 2] - f % 2) <= 1e-10 &&
             roles.is_lip(cell->face(f)->boundary_id()))
@@ -61,8 +61,8 @@ namespace Crevasse
 
 
 
-    /** The cells with a point and its place there. deal.II finds one, and those
-     * that share a vertex with it: the other lip of a crack has others. */
+    /** Cells that contain a point, with its unit coordinates. deal.II finds
+     * only those that share a vertex with the first, none at another lip. */
     template <int dim>
     std::vector<
       std::pair<typename DoFHandler<dim>::active_cell_iterator, Point<dim>>>
@@ -91,7 +91,7 @@ namespace Crevasse
             }
           catch (const typename Mapping<dim>::ExcTransformationFailed &)
             {
-            } // it lies elsewhere
+            } // not in this cell
         }
       return found;
     }
@@ -118,7 +118,7 @@ namespace Crevasse
     const Place other = find_place(space, true);
     other_lip_weights = displacement_at(other, space);
     if (Utilities::MPI::max(other.found ? 1 : 0, communicator) == 1)
-      side_of_crack = Tensor<1, dim>() + normal; // 0 instead of −0
+      side_of_crack = Tensor<1, dim>() + normal; // turns −0 into 0
   }
 
 
@@ -128,8 +128,8 @@ namespace Crevasse
   ProbeEvaluator<dim>::find_place(const Space<dim> &space,
                                   const bool        on_other_lip)
   {
-    // What comes first: cells with the point on a lip, between materials those
-    // on the left, below and in front, or most so, ranks in their order.
+    // Order of preference: cells with the point on a lip; at an interface the
+    // cell on the left, below or in front, or most so; the lowest rank.
     using Order = std::array<double, 2 * dim + 3>;
     Order outside;
     outside.fill(1.);

@@ -10,7 +10,7 @@ namespace Crevasse
 
   namespace
   {
-    /** Where moduli are looked at that may vary in time. */
+    /** Instants at which moduli that may vary in time are checked. */
     std::vector<double>
     instants_of_variation(const bool varies, const StepList &steps)
     {
@@ -117,7 +117,7 @@ namespace Crevasse
     using Method                     = StressIntensityMethod;
     const Method      wish           = scene.crack_tip.method;
     const std::string setting        = "[Crack tip] Method = " + name_of(wish);
-    const bool        must_integrate = // the fit knows one lip, in the plane
+    const bool        must_integrate = // the fit: one lip, plane
       wish == Method::interaction_integral || region.tip.two_lips ||
       body.space.roles.has_axis;
     if (wish == Method::williams_fit && region.tip.two_lips)
@@ -179,8 +179,8 @@ namespace Crevasse
   StressIntensity::Integrals
   StressIntensity::make_integrals(const CrackMode mode) const
   {
-    // Different numbers of cells at the tip, so that the difference of the two
-    // shows what these leave.
+    // The squares differ in cells at the tip, so that the difference of the
+    // integrals shows the error of these cells.
     const auto over_square = [&](const double size, const unsigned int cells) {
       return InteractionIntegral(body,
                                  points,
@@ -212,7 +212,7 @@ namespace Crevasse
     if (uniform.creep == 0.)
       return region.aligned_radius(std::min(0.5 * size, several));
     const double most = std::min(uniform.creep, size);
-    // The error is of the order a^(5/2).
+    // The error is of the order of a^(5/2).
     constexpr double part = 0.25;
     return is_disturbed() ? region.aligned_radius(
                               std::min(most, std::max(part * size, several)))
@@ -226,7 +226,7 @@ namespace Crevasse
   {
     if (scene.crack_tip.radius > 0. && integrals.empty())
       return scene.crack_tip.radius;
-    // The smaller disc, of half this radius, needs data.
+    // The smaller disc, of half this radius, must contain enough points.
     const double least =
       2. * WilliamsFit::least_radius(points, region, body.space.communicator());
     constexpr double part = 0.5;

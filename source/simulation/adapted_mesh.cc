@@ -21,7 +21,8 @@ namespace Crevasse
 
   namespace
   {
-    /** How contact is solved for is of no importance here, but how fast. */
+    /** The scene with the fastest contact solver, which has no other effect
+     * here. */
     Scene
     with_fast_solvers(Scene scene)
     {
@@ -57,12 +58,11 @@ namespace Crevasse
 
 
 
-    /** Sets the flags that the parameters ask for: the cells with the largest
-     * part of the squares of the estimates are divided, those with the smallest
-     * joined where all their siblings are. Cells at the finest level stay.
-     * Collective.
+    /** Flags cells by the parameters: those with the largest part of the
+     * squared errors are divided, those with the smallest joined where all
+     * siblings are. Cells at the finest level stay. Collective.
      *
-     * @param squares by active cell index.
+     * @param squares squared errors by active cell index.
      * @param share of Refine fraction.
      * @return how many cells are to be divided. */
     template <int dim>
@@ -77,7 +77,7 @@ namespace Crevasse
       const double coarsen = parameters.coarsen_fraction;
       clear_flags(mesh);
       if (parameters.marking == Marking::bulk)
-        // The squares as they are: those are what adds up.
+        // The norm is of squares as they are, because squares add up.
         Refinement::refine_and_coarsen_fixed_fraction(
           mesh, squares, refine, coarsen, VectorTools::L1_norm);
       else
@@ -153,7 +153,7 @@ namespace Crevasse
         if (is_good || is_last || !advance(squares))
           break;
       }
-    renew(); // numbered as the mesh of a resumed run will be
+    renew(); // numbered as in a resumed run
   }
 
 
@@ -238,8 +238,8 @@ namespace Crevasse
   bool
   AdaptedMesh<dim>::advance(const dealii::Vector<float> &squares)
   {
-    // So far the prediction is trusted; if there is a limit, for half of what
-    // is left, unless another estimate is not worth while for the rest.
+    // The prediction is trusted up to twice the unknowns; with a limit, up to
+    // half of the rest, unless the rest is not worth another estimate.
     constexpr double   growth = 2., nearly = 0.95, little = 0.05;
     const unsigned int degree = scene.discretisation.degree;
     const double       now    = all.back().unknowns;
@@ -249,14 +249,14 @@ namespace Crevasse
     if (limit > 0.)
       enough = std::min(
         {enough, limit, now + std::max(0.5 * (limit - now), little * limit)});
-    // What singular functions describe is not in the squares.
+    // The squares exclude what singular functions describe.
     const CrackFront<dim> front =
       singular_functions(scene).n > 0 && boundary_roles(scene).crack.empty()
         ? CrackFront<dim>()
         : crack_front<dim>(*current, boundary_roles(scene));
     bool                  divides   = false;
     dealii::Vector<float> predicted = squares;
-    // Joining may take as many cells away as dividing gives.
+    // Joining may remove as many cells as dividing adds.
     double before = 0., n = count_unknowns(*current, degree);
     while (before < n && n <= enough && flag(predicted, n))
       {
@@ -280,11 +280,11 @@ namespace Crevasse
   AdaptedMesh<dim>::flag(const dealii::Vector<float> &squares,
                          const double                 n_unknowns)
   {
-    // If the whole change is too large, fewer cells are divided.
+    // If the change is too large, fewer cells are divided.
     constexpr unsigned int most_attempts = 6;
     const auto             available     = scene.refinement.target_unknowns;
-    // Around a cell that is divided others may have to be divided as well; this
-    // is several times as many as in the scenes that were looked at.
+    // Neighbours of a divided cell may have to be divided as well; the factor
+    // is several times that of tested scenes.
     const double of_each = 3. * GeometryInfo<dim>::max_children_per_cell *
                            n_unknowns / current->n_global_active_cells();
     for (unsigned int attempt = 0; attempt < most_attempts; ++attempt)
@@ -296,7 +296,7 @@ namespace Crevasse
           return false;
         if (available == 0 || n_unknowns + of_each * n_flagged < available)
           return true;
-        clear_flags(*current); // a copy would have them too
+        clear_flags(*current); // copies include flags
         Mesh<dim> trial(current->get_communicator());
         trial.copy_triangulation(*current);
         set_flags(trial, squares, scene.refinement, share);

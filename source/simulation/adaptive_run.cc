@@ -31,13 +31,13 @@ namespace Crevasse
 
 
     /**
-     * Computes a run, or what of it is on one mesh, and writes everything to
-     * the directory of @p output, which must exist; what is not known before
-     * the end of the run only if this is it. Collective.
+     * Computes a stage of a run on one mesh, and writes its results to the
+     * directory of @p output, which must exist; final results at the end of the
+     * run. Collective.
      *
-     * @param others see what the tables see.
-     * @param state The start, then the end.
-     * @param summary that more is added to, and which is written.
+     * @param others further observers.
+     * @param state at the start, then the end.
+     * @param summary to add to and to write.
      * @throw NumericalError; after all that was computed has been written if
      * the periodic state was not reached. */
     template <int dim>
@@ -51,13 +51,13 @@ namespace Crevasse
       const Scene   &scene = setup.scene;
       Workspace<dim> work(setup, output, state);
       const bool     any_periods = scene.periodic_state.maximum_periods > 0;
-      if (!state.has_tables()) // later the first step has a checkpoint
+      if (!state.has_tables()) // later stages: at a checkpoint
         output.checkpoints.requests.stop_if_asked();
       if (any_periods)
         find_periodic_start(work);
       if (!scene.contact.relaxation_table.empty() && !state.has_tables())
         write_relaxation_table(work);
-      // Where nothing is marched, no tables are begun either.
+      // Without periods no tables are begun.
       std::vector<std::unique_ptr<Observer>> observers;
       state.stage.ends_run = true;
       if (any_periods)
@@ -144,7 +144,7 @@ namespace Crevasse
           return;
         const dealii::Vector<float> squares = estimate->estimator.squares();
         const double error = estimate->estimator.relative_error();
-        estimate.reset(); // before the space that it refers to
+        estimate.reset(); // destroy before its space
         readapt(squares, error);
         state.fourier_failed = false;
         state.was_resumed    = false;
@@ -187,7 +187,7 @@ namespace Crevasse
                                 n_branches);
     const double                     moved_before =
       old.space.nodal_values(state.displacement).linfty_norm();
-    setup.reset(); // its mesh is about to change
+    setup.reset(); // the mesh changes next
     do
       transfer.adapt();
     while (flag_unmatched_lips(*mesh, boundary_roles(scene)));

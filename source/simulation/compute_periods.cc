@@ -18,9 +18,9 @@ namespace Crevasse
 
   namespace
   {
-    /** How many fields of the size of a stress a checkpoint may have: stress at
-     * the instants of a period, viscous strain and rates, and what Anderson's
-     * method remembers. */
+    /** Largest number of fields of the size of a stress in a checkpoint:
+     * stresses at the instants of a period, viscous strain, rates, and the
+     * memory of Anderson acceleration. */
     template <int dim>
     unsigned int
     n_stresses_of_checkpoint(const RunSetup<dim>  &setup,
@@ -37,7 +37,7 @@ namespace Crevasse
 
 
 
-    /** The bounds that a displacement touches. */
+    /** Marks the bounds that a displacement touches. */
     std::vector<bool>
     touching_bounds(const UnilateralBounds &bounds, const Vector &displacement)
     {
@@ -80,8 +80,8 @@ namespace Crevasse
 
 
 
-    /** Shows the period that was found, and compares it with its states: not
-     * converged if they differ and another method may take over. */
+    /** Shows the period found, and compares it with its states: not converged
+     * if they differ and another method may replace it. */
     template <int dim>
     PeriodicResult
     show_motion(Workspace<dim>                &work,
@@ -125,8 +125,9 @@ namespace Crevasse
 
 
 
-    /** @param material at the beginning of a period.
-     * @param bounds of the lip. Both must outlive the result. */
+    /** Creates the ReturnDefect of a period.
+     * @param material at its beginning. @param bounds of the lip. Both must
+     * outlive the result. */
     template <int dim>
     ReturnDefect<dim>
     return_defect(const Workspace<dim>     &work,
@@ -145,13 +146,13 @@ namespace Crevasse
 
 
 
-    /** Whether the viscous strain has to come back after a period. */
+    /** Whether the viscous strain must return after a period. */
     template <int dim>
     bool
     requires_return(const Workspace<dim> &work)
     {
       const Body<dim> &body = work.setup.body;
-      // What bears no stress matters to a march where a lip may touch.
+      // Strain without stress matters to a march if a lip may touch.
       return body.effects.viscosity.on &&
              (work.start.split.strain_returns || body.law.has_spring()) &&
              (work.start.choice.method != PeriodicMethodType::march ||
@@ -167,7 +168,7 @@ namespace Crevasse
                const double          slowness)
     {
       const Body<dim> &body = work.setup.body;
-      // A power law has no fluidity of its own, and takes the stiffness.
+      // A power law has no constant fluidity; the norm uses the stiffness.
       const ViscousCoordinates<dim> coordinates(
         body.space,
         body.points,
@@ -199,8 +200,7 @@ namespace Crevasse
     void
     search(Workspace<dim> &work, ObservedPeriods<dim> &periods)
     {
-      // Infinite where nothing relaxes; what does not relax does not change
-      // either.
+      // Infinite if no stress relaxes; then stress does not change either.
       const double slowest = work.setup.relaxation_times.longest_in_mean;
       const double slowness =
         std::isfinite(slowest)
@@ -283,7 +283,7 @@ namespace Crevasse
                            state.result.periods < state.stage.last_period ||
                            state.result.periods >= parameters.maximum_periods;
     periods.finish(state.viscous_strain, state.stage.ends_run);
-    if (!state.stage.ends_run) // where the next stage begins
+    if (!state.stage.ends_run) // start of the next stage
       state.displacement = work.evolution.state().displacement;
   }
 

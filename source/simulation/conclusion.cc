@@ -17,7 +17,7 @@ namespace Crevasse
 
   namespace
   {
-    /** What integrator and step control have counted. */
+    /** Summarises the counts of integrator and step control. */
     template <int dim>
     void
     summarise_steps(const Workspace<dim> &work, Log &log, Summary &summary)
@@ -113,20 +113,20 @@ namespace Crevasse
     const RunState       &state        = work.state;
     const PeriodicResult &result       = state.result;
     const MPI_Comm        communicator = work.setup.body.space.communicator();
-    // The certificate holds for the problems that observers solved for their
-    // summaries, too; the counters are those of the search.
+    // The certificate includes problems that observers solved for their
+    // summaries; the counters are only those of the search.
     const Summary counters = summary["counters"];
     work.systems.summarise(summary);
     summary["counters"] = counters;
     describe_certificate(work.systems.statistics(),
                          work.setup.scene,
                          work.output.log);
-    // Behind those with tables, which have their numbers.
+    // Tips without K follow tips with tables, which are numbered.
     for (const Summary &tip : work.setup.tips_without_intensity)
       summary["crack_tips"].push_back(tip);
     if (work.start.direct)
       work.start.direct->add_to(summary);
-    // By which --resume tells whether they are of the scene that is asked for.
+    // --resume compares this scene with the current one.
     summary["scene"]                 = work.output.checkpoints.scene;
     summary["stress_change"]         = result.stress_change;
     summary["stress_error_estimate"] = result.stress_error_estimate;
@@ -153,15 +153,14 @@ namespace Crevasse
 
   namespace
   {
-    /** How many periods more a march takes if the error goes on to shrink as
-     * its estimate supposes, in brackets; nothing as long as this cannot be
-     * told. */
+    /** Estimated number of further periods of a march at the current rate, in
+     * brackets; empty if unknown. */
     std::string
     periods_to_go(const PeriodicResult &result, const double tolerance)
     {
       const double change = result.stress_change.back();
       const double error  = result.stress_error_estimate.back();
-      // What the strain still lacks does not fall with the changes.
+      // A ReturnDefect does not fall with the changes.
       if (result.periods < 3 || result.return_defect >= error ||
           !std::isfinite(error))
         return "";
@@ -173,8 +172,8 @@ namespace Crevasse
 
 
 
-    /** Tells after which period the change of stress was within the tolerance,
-     * as the paper asks, unless that is the last one. */
+    /** Logs after which period the change of stress was within the tolerance,
+     * the criterion of the paper, unless that is the last period. */
     void
     report_end_by_change(const PeriodicResult &result,
                          const double          tolerance,
@@ -224,7 +223,7 @@ namespace Crevasse
 
 
 
-    /** @param reason with what to do besides. */
+    /** Reports a wrong periodic state. @param reason with further advice. */
     [[noreturn]] void
     throw_another_state(const PeriodicChoice &choice, const std::string &reason)
     {
@@ -248,9 +247,9 @@ namespace Crevasse
           setup.body.effects.varying_viscosity.on ||
           !secular.contains("mean_contact_force_of_last_period"))
         return;
-      // Much more than the error of any reasonable steps, and not that small
-      // part of the load that a scheme's quadrature may miss; the forces are as
-      // exact as the solver finds them.
+      // The limits exceed the errors of reasonable steps, and the small part of
+      // the load that a scheme's quadrature may miss; forces are accurate to
+      // rounding.
       constexpr double far = 0.5, part_of_load = 0.05, rounding = 1e-10;
       const MPI_Comm   communicator = setup.body.space.communicator();
       const auto       n_nodes      = setup.body.lip.nodes.size();
@@ -289,8 +288,8 @@ namespace Crevasse
       if (!summary.contains("drift") ||
           !summary["drift"].contains("largest_closing_rate"))
         return;
-      // What is left of the way to the periodic state closes the lip by as much
-      // as the tolerance lets the stress be wrong, times a few.
+      // The rest of the way to the periodic state closes the lip by about the
+      // tolerance of the stress, relative to the opening.
       constexpr double many = 100., least_tolerance = 1e-8;
       const double     part =
         many * std::max(scene.periodic_state.tolerance, least_tolerance);
@@ -308,7 +307,7 @@ namespace Crevasse
 
 
 
-    /** What a run that is not periodic yet has come to, and what to do. */
+    /** Message for a run that is not periodic yet: its state, and advice. */
     std::string
     message_of_failure(const PeriodicStateParameters &parameters,
                        const PeriodicChoice          &choice,

@@ -22,14 +22,14 @@ namespace Crevasse
 
   namespace
   {
-    /** The largest stress, displacement, opening and viscous strain of a run,
-     * or of its last period, and what rounding leaves of the stress. */
+    /** Records the largest stress, displacement, opening and viscous strain of
+     * a run, or of its last period, and the rounding of the stress. */
     template <int dim>
     class Extremes : public Observer
     {
     public:
-      /** Follows the largest values in the state of the run, on this mesh after
-       * others. */
+      /** Updates the largest values in the state of the run, also after other
+       * meshes. */
       explicit Extremes(Workspace<dim> &work)
         : work(work)
         , body(work.setup.body)
@@ -75,8 +75,8 @@ namespace Crevasse
         archive.common(viscous_strain);
       }
 
-      /** "stress_rounding" is relative to the maximum: the stress is K times
-       * the small difference of strains that may be large. */
+      /** Adds "extremes". "stress_rounding" is relative to the maximum: stress
+       * is K times the small difference of strains that may be large. */
       void
       summarise(Summary &summary) override
       {
@@ -109,13 +109,13 @@ namespace Crevasse
                 viscous_strain / run.largest_stress;
       }
 
-      LipState lip; ///< of the last sample, with contact
+      LipState lip; ///< state at the last sample
 
     private:
       const Workspace<dim> &work;
       const Body<dim>      &body;
       RunState             &run;
-      double                viscous_strain = 0.; ///< largest component
+      double                viscous_strain = 0.; ///< its largest component
     };
 
 
@@ -124,7 +124,7 @@ namespace Crevasse
     class SampleTable : public Observer
     {
     public:
-      /** Collective, also on ranks that do not write. */
+      /** Computes a row. Collective, also on ranks that do not write. */
       using Row = std::function<std::vector<double>(const Sample &)>;
 
       SampleTable(CsvTable &&table, const Row &row)
@@ -146,8 +146,8 @@ namespace Crevasse
 
 
 
-    /** periods.csv: how the run approached its periodic state, at which cost.
-     * The same as lines of the log, and a line that moves on a terminal. */
+    /** periods.csv: convergence to the periodic state, and its cost. The rows
+     * are also logged, with a progress line on terminals. */
     class PeriodTable : public Observer
     {
     public:
@@ -168,11 +168,11 @@ namespace Crevasse
       {
         if (!log.on_terminal())
           return;
-        const double done = // in periods
+        const double done = // periods done
           sample.period - 1. + sample.instant / scene.loads.period;
         if (done_before < 0.)
           done_before = done;
-        // A few lines a second are enough.
+        // Limits progress to a few lines a second.
         const double seconds = timer.wall_time();
         if (seconds <= last_shown + 0.2)
           return;
@@ -199,8 +199,8 @@ namespace Crevasse
                        report.stress_error_estimate,
                        double(report.vi_solves),
                        report.seconds});
-        // The first period has none before it from which its stress could
-        // change, and adaptive steps may not be those of the period before.
+        // The first period has no period before to compare its stress with, and
+        // adaptive steps may differ from those of the period before.
         const auto shown =
           [](const char *pattern, const double value, const bool is_known) {
             return is_known && std::isfinite(value)
@@ -223,7 +223,7 @@ namespace Crevasse
       Log            &log;
       const Timer     timer;
       double          last_shown  = 0.;
-      double          done_before = -1.; ///< by an earlier run, on other meshes
+      double          done_before = -1.; ///< before this mesh or resume
     };
   } // namespace
 
@@ -246,7 +246,7 @@ namespace Crevasse
     Tables tables(work);
 
     const auto extremes = add(std::make_unique<Extremes<dim>>(work));
-    // With the end of the run.
+    // The end of the run is always included.
     FieldInstants instants{false, {work.steps.period()}, {}};
     const auto    follow_tip = [&instants](const auto number, const auto tip) {
       for (const double sign : {1., -1.})
@@ -350,10 +350,10 @@ namespace Crevasse
                                                log));
       }
     if (setup.scene.output.load_work)
-      // ∫ loads · u (force times length, per thickness in the plane). For an
-      // elastic body whose lip has no gap half of it is the strain energy, and
-      // minus that half the least potential energy, against which errors in the
-      // energy norm are measured.
+      // Work of the loads ∫ loads · u (force times length, per thickness in a
+      // plane). For an elastic body without gap, half of it is the strain
+      // energy, and minus this half the least potential energy, the reference
+      // for errors in the energy norm.
       add(std::make_unique<SampleTable>(
         tables.table("load_work.csv", {"t", "load_work"}),
         [&work](const Sample &sample) -> std::vector<double> {

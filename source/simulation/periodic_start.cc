@@ -11,7 +11,7 @@ namespace Crevasse
 
   namespace
   {
-    /** Does without the flow if it is not found, or throws. */
+    /** Finds the secular flow; if it fails, continues without it, or throws. */
     template <int dim>
     void
     find_secular_flow(Workspace<dim> &work)
@@ -46,7 +46,7 @@ namespace Crevasse
                             true,
                             "automatic: the flow was not found",
                             {}};
-          // Nothing else of the run needs it.
+          // The rest of the run does not need the flow.
           split.is_split = split.strain_returns = split.effect.on = false;
           split.effect.why                                        = what;
           work.output.log.line("  warning: " + what);
@@ -55,7 +55,7 @@ namespace Crevasse
 
 
 
-    /** The flow that belongs to the samples is that of the run. */
+    /** Sets the flow of the samples as the flow of the run. */
     void
     take_flow(PeriodicStart &start, Log &log)
     {
@@ -99,7 +99,7 @@ namespace Crevasse
           start.warnings = result.warnings;
           if (start.choice.method != PeriodicMethodType::fourier)
             {
-              // Another method goes on from where the motion begins.
+              // Another method needs only the beginning of the motion.
               result.motion.viscous_strain.resize(1);
               result.motion.displacement.clear();
               result.motion.contact_forces.clear();

@@ -15,7 +15,7 @@ namespace Crevasse
 
   namespace
   {
-    /** max |A q − b|, a force. */
+    /** Largest residual max |A q − b|, a force. */
     double
     residual_norm(const SparseMatrix &matrix, const Vector &q, const Vector &b)
     {
@@ -27,7 +27,7 @@ namespace Crevasse
 
 
 
-    /** The vector with its entries rounded to 27 bits of mantissa. */
+    /** Rounds the entries of a vector to 27 bits of mantissa. */
     Vector
     in_single_precision_of_1980(Vector vector)
     {

@@ -29,7 +29,7 @@ namespace Crevasse
 
 
 
-    /** What is kept at quadrature points and unknowns, on this rank. */
+    /** Memory for fields at quadrature points and unknowns, on this rank. */
     template <int dim>
     double
     bytes_of_fields(const RunSetup<dim> &setup)
@@ -43,15 +43,16 @@ namespace Crevasse
         n_stress_components<dim> * double(body.points.n_local_points);
       const double strain =
         body.effects.viscosity.on ? body.law.branches.size() * stress : 0.;
-      // The stress of all samples of a period, compared with the next; stages
-      // and work space.
+      // Stresses at all samples of a period, compared with the next; stages and
+      // work space.
       double values = (n_steps + 8.) * stress + 5. * strain + 30. * vector;
       if (choice.method == PeriodicMethodType::anderson)
         values += 4. * (scene.periodic_state.anderson_depth + 2.) * strain;
       if (choice.uses_fourier())
         values += n_steps * (strain + 2. * vector);
-      // Instants of the output, what a checkpoint collects and packs of them
-      // for each cell (measured), and one being written: patches and text.
+      // Instants of the output, their data in a checkpoint, collected and
+      // packed by cell (measured), and one instant being written: patches and
+      // text.
       if (body.effects.field_output.on)
         values +=
           n_instants_of_fields(setup) *
@@ -65,8 +66,7 @@ namespace Crevasse
 
 
 
-    /** Of all stiffnesses that are kept, on this rank: more than one if it
-     * varies. */
+    /** Memory for all stored stiffnesses, on this rank: several if K varies. */
     template <int dim>
     double
     bytes_of_solvers(const RunSetup<dim> &setup, const unsigned int n_ranks)
@@ -79,13 +79,13 @@ namespace Crevasse
                                         body.space.finite_element.degree,
                                         n_ranks) /
                    n_ranks;
-      // Without a matrix, K of each point in double and in single precision.
+      // Matrix-free: K of each point in double and in single precision.
       constexpr int n = n_stress_components<dim>;
       if (type == LinearSolverType::gmg &&
           body.material.at(0.).stiffness->is_individual())
         one += 0.75 * n * (n + 1) * sizeof(double) * body.points.n_local_points;
-      // Σ, with MUMPS a factor of it, with CHOLMOD for a moment what it is
-      // made of instead, and the factor of the open nodes.
+      // Condensed compliance Σ; with MUMPS its factor, with CHOLMOD temporarily
+      // its data instead; and the factor of the open nodes.
       if (setup.solvers.contact.type == ContactSolverType::condensed_active_set)
         {
           const double n_lip = Utilities::MPI::sum(body.lip.nodes.size(),
@@ -106,13 +106,13 @@ namespace Crevasse
     {
       const char *name;
       double      bytes;
-      const char *advice; ///< if it is the largest
+      const char *advice; ///< if this part is the largest
     };
 
 
 
-    /** Otherwise the run would end without a message, or take the machine with
-     * it.
+    /** Checks memory: otherwise the run would be killed without a message, or
+     * block the machine.
      *
      * @param total bytes on this rank, and @p libraries those of libraries. */
     void
@@ -126,7 +126,7 @@ namespace Crevasse
       const double there = available_memory(communicator);
       if (Utilities::MPI::max(all / there, communicator) <= memory_uncertainty)
         return;
-      // Factors shrink faster than the unknowns.
+      // Memory of factors shrinks faster than the number of unknowns.
       const double of_all = sum_on_machine(libraries, communicator);
       const double fitting =
         n_unknowns *
@@ -147,10 +147,10 @@ namespace Crevasse
 
 
 
-    /** Prints how much memory a run needs at its peak, on the process that
-     * needs most, by what needs it. Collective.
-     * @throw SceneError if the processes on a machine need more than it has
-     * left, with what would fit. */
+    /** Logs the peak memory of a run, on the process that needs most, by
+     * purpose. Collective.
+     * @throw SceneError, with what would fit, if the processes on a machine
+     * need more than it has left. */
     template <int dim>
     void
     report_memory(const RunSetup<dim> &setup, Log &log)
@@ -160,7 +160,7 @@ namespace Crevasse
       const unsigned int n_ranks =
         Utilities::MPI::n_mpi_processes(communicator);
       const Part parts[] = {
-        // Of the smallest scene, measured.
+        // The memory of libraries is measured with the smallest scene.
         {"libraries", n_ranks == 1 ? 180e6 : 195e6, "take fewer processes"},
         {"mesh",
          double(space.mesh().memory_consumption() +
@@ -245,7 +245,7 @@ namespace Crevasse
              Utilities::MPI::gather(communicator,
                                     mesh.n_locally_owned_active_cells())},
             {"levels", mesh.n_global_levels()},
-            // Longest diagonals.
+            // Cell sizes are longest diagonals.
             {"smallest_cell", GridTools::minimal_cell_diameter(mesh)},
             {"largest_cell", GridTools::maximal_cell_diameter(mesh)}};
   }

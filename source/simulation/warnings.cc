@@ -12,7 +12,7 @@ namespace Crevasse
 {
   namespace
   {
-    /** Schemes that are stable, but not accurate, with such steps. */
+    /** Warns of steps with which a scheme is stable, but inaccurate. */
     template <int dim>
     void
     warn_of_large_steps(const RunSetup<dim>      &setup,

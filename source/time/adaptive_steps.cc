@@ -18,8 +18,8 @@ namespace Crevasse
     class AdaptiveSteps : public StepControl
     {
     public:
-      /** @param fixed_instants where steps end in any case.
-       * @param nodes at which the method evaluates. */
+      /** @param fixed_instants at which steps always end.
+       * @param nodes at which the method evaluates f. */
       AdaptiveSteps(const TimeIntegrationParameters &parameters,
                     const double                     largest_step,
                     const std::vector<double>       &fixed_instants,
@@ -30,7 +30,7 @@ namespace Crevasse
         , largest_step(largest_step)
         , fixed_instants(fixed_instants)
         , looks_at_end(std::find(nodes.begin(), nodes.end(), 1.) != nodes.end())
-        // Not a fraction of the period, at which a load may have its zeros.
+        // Not a simple fraction of the period, where a load may have its zeros.
         , proposed(0.381966 * largest_step)
       {
       }
@@ -39,7 +39,7 @@ namespace Crevasse
       begin_period(StepList &steps) override
       {
         constexpr unsigned int most_searches = 3;
-        // Steps are found anew if so many of them would do.
+        // Steps are searched anew if this fraction of them would suffice.
         constexpr double too_many = 0.5;
         is_free                   = n_found == 0 ||
                   (n_found < most_searches && needed < too_many * taken);
@@ -52,7 +52,7 @@ namespace Crevasse
         taken  = 0;
       }
 
-      /** Takes what a step that has looked at its end has found there. */
+      /** Reuses the rate at the end of the last step if it is known. */
       void
       start(const PeriodStep &step) override
       {
@@ -66,16 +66,16 @@ namespace Crevasse
         known_end = -1.;
       }
 
-      /** @throw NumericalError if the tolerance takes too many steps. */
+      /** Takes a step. @throw NumericalError if the tolerance is too small. */
       void
       advance(const PeriodStep &period_step) override
       {
         auto &[integrator, f, steps, k, r, rate] = period_step;
-        // The steps of a list are halved, so that its lengths stay few.
+        // Steps of a list are halved, so that few lengths occur.
         const bool   has_matrix = integrator.properties.has_matrix_of_step;
         const bool   halves     = !is_free || has_matrix;
         const double t = steps.instant(k), left = steps.step(k);
-        // Where the stress grows within the step the limit falls.
+        // If the stress grows within the step, the limit falls.
         const double longest = 0.9 * longest_stable(period_step);
         double       length  = first_trial(period_step);
         while (length > longest)
@@ -96,7 +96,7 @@ namespace Crevasse
               {
                 if (length < shortest_step(f) * steps.period())
                   throw;
-                step_error = no_stability_limit; // a shorter one may be solved
+                step_error = no_stability_limit; // a shorter step may succeed
               }
             if (step_error <= 1.)
               break;
@@ -115,7 +115,7 @@ namespace Crevasse
             r            = saved;
             if (known_end >= 0.)
               {
-                // The method has started from the end already.
+                // The method has already started at the end.
                 integrator.restart();
                 integrator.start(f, t, r, end_rate);
                 known_end = -1.;
@@ -170,16 +170,16 @@ namespace Crevasse
       static constexpr unsigned int most_steps =
         TimeIntegrationParameters::most_steps;
 
-      /** Whether the stress at the beginning of the step is there at once. */
+      /** Whether a step begins with a jump of the stress. */
       static bool
       begins_anew(const PeriodStep &step)
       {
         return step.k == 0 || step.steps.jumps_at(step.steps.instant(step.k));
       }
 
-      /** The shortest step to be tried, as a part of the period. What relaxes
-       * by a power of the stress takes the more steps for each power of ten of
-       * the time since it was loaded; instants are distinct to 1e-12. */
+      /** Shortest trial step, as a fraction of the period. Power-law creep
+       * takes many steps for each power of ten of the time since loading;
+       * instants are distinct to 1e-12. */
       double
       shortest_step(const RateEquation &f) const
       {
@@ -189,7 +189,7 @@ namespace Crevasse
                  : 1. / most_steps;
       }
 
-      /** The length of the first trial, at most what is left. */
+      /** Length of the first trial step, at most the rest of the step. */
       double
       first_trial(const PeriodStep &step) const
       {
@@ -198,7 +198,7 @@ namespace Crevasse
         if (!is_free)
           return left;
         double longest = std::min(proposed, largest_step);
-        // By the slope; later on the stress relaxes much more slowly.
+        // Limit by the initial slope: later the stress relaxes more slowly.
         constexpr double part_of_relaxation = 0.1;
         if (const double rate = step.f.relaxation_rate();
             begins_anew(step) && rate > 0.)
@@ -208,12 +208,12 @@ namespace Crevasse
                               shortest_step(step.f) * step.steps.period()));
         if (step.integrator.properties.has_matrix_of_step)
           return std::min(left, dyadic_step(t, longest));
-        // Two steps of the same length instead of one and a short rest.
+        // Takes two equal steps instead of one and a short rest.
         return left <= longest ? left : std::min(longest, 0.5 * left);
       }
 
-      /** The largest 2⁻ⁿ of the interval between fixed instants around t that
-       * ends on a multiple of itself and is not longer than @p longest. */
+      /** Largest 2⁻ⁿ of the interval between fixed instants around t that ends
+       * on a multiple of itself and is not longer than @p longest. */
       double
       dyadic_step(const double t, const double longest) const
       {
@@ -233,14 +233,14 @@ namespace Crevasse
         return length;
       }
 
-      /** The error of a trial relative to the tolerance. */
+      /** Error of a trial step relative to the tolerance. */
       double
       relative_error(const RateEquation &f, const Vector &r)
       {
-        // The error of the embedded method of order 1 is larger than that of
-        // the method that goes on, of order 2, which falls in proportion to it.
-        // With this part of it the error of a period comes close to the
-        // tolerance (tests/runs/test_adaptive.py), and stays below.
+        // The embedded method of order 1 has a larger error than the method, of
+        // order 2, in proportion to it. With this fraction the error of a
+        // period is close to the tolerance and below it
+        // (tests/runs/test_adaptive.py).
         constexpr double part_of_estimate = 1. / 6.;
         if (!scale.partitioners_are_compatible(*r.get_partitioner()) ||
             scale.size() == 0)
@@ -256,7 +256,7 @@ namespace Crevasse
                                        : no_stability_limit;
       }
 
-      /** Takes a trial step: its error relative to the tolerance. */
+      /** Takes a trial step. @return its error relative to the tolerance. */
       double
       try_step(Integrator &integrator, const TimeStep &step)
       {
@@ -267,9 +267,9 @@ namespace Crevasse
                  : step_error;
       }
 
-      /** The same, if no stage of a method has looked at the end of the step,
-       * of the difference to the trapezoidal rule: a jump behind the last stage
-       * is seen by that alone. */
+      /** Error of a trial step from its difference to the trapezoidal rule, if
+       * the method has no stage at the end of the step, and so misses a jump
+       * there. */
       double
       relative_error_of_end(Integrator &integrator, const TimeStep &step)
       {
@@ -282,13 +282,13 @@ namespace Crevasse
         return relative_error(step.f, step.r);
       }
 
-      /** The controller's next step. */
+      /** Sets the next step by the controller. */
       void
       propose(const double length,
               const double step_error,
               const bool   was_rejected)
       {
-        // The error of the embedded method is of the order 2 in the step.
+        // The error of the embedded method is of order 2 in the step.
         const double now    = std::max(step_error, 1e-8);
         double       factor = safety * std::pow(now, -0.35) * //
                         std::pow(last_error, 0.2);
@@ -302,13 +302,13 @@ namespace Crevasse
       const std::vector<double>       fixed_instants;
       const bool                      looks_at_end;
 
-      bool         is_free = true; ///< steps are being found
-      unsigned int n_found = 0;    ///< how often they were
+      bool         is_free = true; ///< steps are being searched
+      unsigned int n_found = 0;    ///< number of searches
       double       proposed;
       double       last_error = 1.;
 
-      // Of this period.
-      double       needed = 0.; ///< the number of steps that would have done
+      // Numbers of steps in this period.
+      double       needed = 0.; ///< steps that would have sufficed
       unsigned int taken  = 0;
 
       std::size_t accepted = 0, rejected = 0;
@@ -316,8 +316,8 @@ namespace Crevasse
       Vector scale; ///< strain per stress
       Vector error, saved;
 
-      // What is known of the end of the last step.
-      double known_end = -1.; ///< negative: nothing
+      // Instant and rate at the end of the last step, if computed.
+      double known_end = -1.; ///< negative: none
       Vector end_rate;
     };
   } // namespace

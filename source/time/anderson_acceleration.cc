@@ -22,7 +22,7 @@ namespace Crevasse
         Vector step = pair.residual;
         step -= pairs.back().residual;
         const double residual_change = step.l2_norm();
-        // x = G(x) − f
+        // The point is recovered by x = G(x) − f.
         step = x;
         step -= pairs.back().image;
         step += pairs.back().residual;
@@ -46,12 +46,12 @@ namespace Crevasse
 
     const Pair  &last  = pairs.back();
     const double noise = accuracy * last.image.l2_norm();
-    // The differences ΔF that are used, as Q R with normalised columns, and ΔG,
-    // divided by the same norms.
+    // Used differences ΔF, as Q R with normalised columns, and ΔG, divided by
+    // the same norms.
     dealii::QR<Vector>  factors;
     std::vector<Vector> images;
     Vector              column;
-    // Of residuals that are hardly more than noise nothing is to be learned.
+    // Residuals that are hardly more than noise carry no information.
     constexpr double clear = 10.;
     const bool       tells = residual_norm > clear * noise;
     for (std::size_t k = tells ? pairs.size() - 1 : 0; k > 0; --k)
@@ -127,7 +127,7 @@ namespace Crevasse
     return std::all_of(pairs.begin(), pairs.end(), [&](const Pair &pair) {
       way = x;
       way -= pair.image;
-      // G(xᵢ) = xᵢ + fᵢ
+      // The image is G(xᵢ) = xᵢ + fᵢ.
       return way * pair.residual >= -0.5 * pair.residual.norm_sqr();
     });
   }
@@ -137,8 +137,8 @@ namespace Crevasse
   void
   AndersonAcceleration::follow_drift(Vector &x)
   {
-    // Of a residual that stays the same, what differences of points nearby
-    // explain in part is not worth a step a million times as long as they are.
+    // A drift is a residual that stays the same and is hardly explained by
+    // differences. The longest leap is in residuals.
     constexpr double hardly_explained = 0.7, the_same = 0.05, longest = 1e6;
 
     if (unexplained <= hardly_explained * residual_norm || change >= the_same)

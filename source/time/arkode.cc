@@ -23,18 +23,18 @@ namespace Crevasse
     {
       const char *name;
       int         id;
-      /** How many times larger than the error of the stress over periods the
-       * estimate of a step is, which is that of the embedded method of lower
-       * order: measured (doc/time_schemes.md). */
+      /** Ratio of the estimated error of a step, by the embedded method of
+       * lower order, to the error of the stress over periods: measured
+       * (doc/time_schemes.md). */
       double excess;
       double limit = no_stability_limit;
     };
 
-    // By order, from 2 on. The implicit ones are L-stable and have one γ on the
-    // diagonal, so that equal steps have equal matrices, and the last stage at
-    // the end of the step (Kennedy and Carpenter, Appl. Numer. Math. 44, 2003
-    // and 146, 2019). Not ARKODE's own choices: its SDIRK-2-1-2 is not
-    // L-stable, and the estimates of the others grow with stiffness.
+    // Methods by order, from 2 on. Implicit ones are L-stable and have one γ on
+    // the diagonal, so that equal steps have equal matrices, and the last stage
+    // at the end of the step (Kennedy and Carpenter, Appl. Numer. Math. 44,
+    // 2003 and 146, 2019). ARKODE's defaults are not used: its SDIRK-2-1-2 is
+    // not L-stable, and the estimates of the others grow with stiffness.
     constexpr Choice explicit_choices[] = {
       {"Heun-Euler 2(1)", ARKODE_HEUN_EULER_2_1_2, 5., 2.},
       {"Bogacki-Shampine 3(2)",
@@ -47,7 +47,7 @@ namespace Crevasse
        1.,
        3.306567892634947}};
 
-    /** The first is the method of "sdirk2". */
+    /** Implicit methods by order; the first is that of "sdirk2". */
     constexpr Choice implicit_choices[] = {
       {"SDIRK2(1)", ARKODE_DIRK_NONE, 10.},
       {"ESDIRK3(2)5L[2]SA", ARKODE_ESDIRK325L2SA_5_2_3, 1.},
@@ -78,9 +78,8 @@ namespace Crevasse
         table = ARKodeButcherTable_LoadERK(static_cast<ARKODE_ERKTableID>(id));
       else if (parameters.order == 2)
         {
-          // The weights of the embedded method differ by ±γ²: what it makes of
-          // a stiff component is −(1−γ) of it, so that the estimate stays
-          // bounded.
+          // The weights of the embedded method differ by ±γ²: it multiplies a
+          // stiff component by −(1−γ), so that the estimate stays bounded.
           constexpr double gamma = 1. - dealii::numbers::SQRT1_2;
           constexpr double shift = gamma * gamma;
           double           c[]   = {gamma, 1.};
@@ -150,7 +149,7 @@ namespace Crevasse
         if (driver == nullptr)
           make_driver(step);
         else if (!is_continuing || driver->time() != step.t)
-          // A step of a list may be tried again with another length.
+          // A step of a list may be repeated with another length.
           driver->restart(step.t, step.r, properties.controls_steps);
         is_continuing             = true;
         constexpr double rounding = 1e-10;
@@ -160,7 +159,7 @@ namespace Crevasse
         else if (!properties.controls_steps)
           driver->fixed_step(step.length);
         else
-          // A step ends at each sample: what acts there is not stepped over.
+          // A step ends at each sample, to step over no event there.
           while (driver->time() < step.t + (1. - rounding) * step.length)
             if (driver->evolve(step.t + step.length))
               {
@@ -191,15 +190,15 @@ namespace Crevasse
         archive.common(is_continuing);
         archive.common(n_events);
         if (archive.is_loading())
-          driver.reset(); // made anew where it is needed
+          driver.reset(); // recreated when needed
       }
 
     private:
-      /** Which begins with this step. */
+      /** Creates the driver, to begin with this step. */
       void
       make_driver(const TimeStep &step)
       {
-        // Steps of a list are controlled where creep is a power of the stress.
+        // Steps of a list are controlled with power-law creep.
         const bool has_error =
           properties.controls_steps ||
           (properties.begins_explicitly && step.f.stress_scale() > 0.);
@@ -221,8 +220,8 @@ namespace Crevasse
           driver->seek_events();
       }
 
-      /** The error of r that a step may make, see above. Solves for the elastic
-       * body at some instants. */
+      /** Allowed error of r in a step, see make_arkode(). Solves for the
+       * elastic body at some instants. */
       Vector
       tolerances(const RateEquation &f, const Vector &r)
       {
@@ -239,11 +238,11 @@ namespace Crevasse
             Text::from_number(parameters.relative_tolerance) +
             " is below what rounding leaves of the stress. Set it, or "
             "Absolute tolerance, to at least 1e-13 times the largest stress.");
-        if (stress == 0.) // No load at all: any will do.
+        if (stress == 0.) // no load: any tolerance
           stress = 1.;
         Vector result;
         f.strain_per_stress(r, result);
-        // ARKODE's norm is the root of the mean over all entries.
+        // ARKODE's norm is the root mean square of all entries.
         result *= choice_of(parameters).excess * stress /
                   std::sqrt(static_cast<double>(result.size()));
         return result;
@@ -252,8 +251,8 @@ namespace Crevasse
       const TimeIntegrationParameters parameters;
 
       CachedRate                    equation;
-      std::unique_ptr<ArkodeDriver> driver;         ///< once there is an r
-      Vector                        allowed_errors; ///< see tolerances()
+      std::unique_ptr<ArkodeDriver> driver;         ///< made with first r
+      Vector                        allowed_errors; ///< by tolerances()
       std::size_t                   n_events = 0;
     };
   } // namespace

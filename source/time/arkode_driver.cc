@@ -17,7 +17,7 @@ namespace Crevasse
 
   namespace
   {
-    /** Without a communicator: the vectors have theirs. */
+    /** Creates a context without communicator: vectors have one. */
     SUNContext
     make_context()
     {
@@ -79,7 +79,7 @@ namespace Crevasse
     catch (const NumericalError &)
       {
         thrown = std::current_exception();
-        return SUN_NLS_CONV_RECVR; // to ARKODE: a shorter step may mend it
+        return SUN_NLS_CONV_RECVR; // a shorter step may succeed
       }
     catch (...)
       {
@@ -138,7 +138,7 @@ namespace Crevasse
   ArkodeDriver::collect_messages()
   {
 #if DEAL_II_SUNDIALS_VERSION_GTE(7, 0, 0)
-    // Errors; warnings, which are no reason to fail, go to SUNDIALS' own log.
+    // Errors are caught; warnings go to SUNDIALS' own log.
     SUNContext_ClearErrHandlers(context.get());
     SUNContext_PushErrHandler(
       context.get(),
@@ -162,23 +162,23 @@ namespace Crevasse
 
 
 
-  // What ARKODE takes for a nonlinear solver: the stages z = z_p + z_c of a
+  // Replaces ARKODE's nonlinear solver: the stages z = z_p + z_c of a
   // diagonally implicit method are the solutions of
   //
   //     z_c = d + γΔt f(z_p + z_c, t)
   //
-  // with what is known, d, from the earlier stages (SUNDIALS 6.4, ARKODE,
-  // "Nonlinear solver methods"). That is r = r̂ + c f(r,t) with r̂ = z_p + d and
-  // c = γΔt: RateEquation::implicit_rate solves it, once and exactly.
+  // with the known part d from earlier stages (SUNDIALS 6.4, ARKODE, "Nonlinear
+  // solver methods"). That is r = r̂ + c f(r,t) with r̂ = z_p + d and c = γΔt:
+  // RateEquation::implicit_rate solves it, once and exactly.
   void
   ArkodeDriver::solve_stages_exactly()
   {
     solver->content = this;
-    // One that needs no linear solver of ARKODE's.
+    // The type needs no linear solver of ARKODE's.
     solver->ops->gettype = [](SUNNonlinearSolver) {
       return SUNNONLINEARSOLVER_FIXEDPOINT;
     };
-    // The system is known without that.
+    // The stage system is known without ARKODE's function.
     solver->ops->setsysfn = [](SUNNonlinearSolver, SUNNonlinSolSysFn) {
       return 0;
     };
@@ -193,7 +193,7 @@ namespace Crevasse
         ->solve_stage(correction);
     };
     check(ARKStepSetNonlinearSolver(memory.get(), solver.get()));
-    // An exact stage has its rate.
+    // An exact stage already has its rate.
     check(ARKStepSetDeduceImplicitRhs(memory.get(), 1));
   }
 
@@ -234,7 +234,7 @@ namespace Crevasse
                               make_nvector_view(tolerances, context.get())));
     check(ARKStepSetMaxNumSteps(memory.get(),
                                 TimeIntegrationParameters::most_steps));
-    // A jump of the load is met by steps of the size of the tolerance.
+    // A jump of the load is resolved by steps of the size of the tolerance.
     check(ARKStepSetMaxErrTestFails(memory.get(), 50));
     check(ARKStepSetMaxConvFails(memory.get(), 50));
   }
@@ -252,7 +252,7 @@ namespace Crevasse
         auto *self = static_cast<ArkodeDriver *>(user_data);
         return self->guarded([&]() {
           const double rate = self->equation.last().relaxation_rate();
-          *longest          = rate > 0. ? self->limit / rate : 0.; // 0: any
+          *longest          = rate > 0. ? self->limit / rate : 0.; // 0: none
         });
       },
       this));

@@ -16,7 +16,7 @@ namespace Crevasse
   bool
   CachedRate::Evaluation::is_of(const double time, const Vector &strain) const
   {
-    // The last stage of a step is its end but for the order of summation.
+    // The last stage of a step equals its end up to the order of summation.
     constexpr double rounding = 1e-13;
     if (!is_known || std::abs(time - t) > rounding * std::abs(time))
       return false;
@@ -28,7 +28,7 @@ namespace Crevasse
           std::max(difference, std::abs(strain.local_element(i) - known));
         size = std::max(size, std::abs(known));
       }
-    // Relative to what a rank has: one reduction is enough.
+    // Relative to the values of the rank: one reduction is enough.
     const int differs = difference > rounding * size ? 1 : 0;
     return dealii::Utilities::MPI::max(differs, r.get_mpi_communicator()) == 0;
   }

@@ -15,10 +15,10 @@ namespace Crevasse
 
   namespace
   {
-    constexpr unsigned int most_events = 100;  // of a step
-    constexpr unsigned int most_trials = 12;   // for one of them
-    constexpr double       one_instant = 1e-7; // of a step
-    // Of the largest switching function; solutions are certified to less.
+    constexpr unsigned int most_events = 100;  // largest number in a step
+    constexpr unsigned int most_trials = 12;   // for one event
+    constexpr double       one_instant = 1e-7; // relative to step
+    // Rounding of switching functions, relative to the largest one.
     constexpr double rounding_of_functions = 1e-10;
 
 
@@ -112,8 +112,8 @@ namespace Crevasse
         archive.section("contact events");
         method->serialize(archive);
         archive.common(is_continuing);
-        // Where the next step begins: an adaptive one may have been started
-        // already.
+        // State where the next step begins, as an adaptive step may have
+        // started.
         archive.at_points(begin.rate);
         archive.on_bounds(begin.functions);
         archive.common(to.t);
@@ -127,15 +127,15 @@ namespace Crevasse
       }
 
     private:
-      /** The beginning or the end of a trial step. */
+      /** State at the beginning or the end of a trial step. */
       struct Place
       {
         double              t = 0.;
         Vector              r, rate, error;
-        std::vector<double> functions; ///< of switching
+        std::vector<double> functions; ///< switching functions
       };
 
-      /** Makes @p to the end of a trial step from @p from to @p t. */
+      /** Takes a trial step from `from` to the instant @p t; sets `to`. */
       void
       go_to(RateEquation &f, const double t, const bool estimates_error)
       {
@@ -154,11 +154,10 @@ namespace Crevasse
         f.switching_functions(to.functions);
       }
 
-      /** Which nodes of `from` are watched on the way to `to`, and on which
-       * side they are: 1 open, −1 closed, 0 not watched, for they switch at
-       * `from` if they do.
+      /** Sets the side of each node at `from`: 1 open, −1 closed, 0 if it
+       * switches at `from` and is not watched on the way to `to`.
        *
-       * @param shortest what counts as one instant. */
+       * @param shortest interval that counts as one instant. */
       void
       find_sides(const double shortest)
       {
@@ -183,8 +182,8 @@ namespace Crevasse
           }
       }
 
-      /** The least of the switching functions of watched nodes, with the sign
-       * that makes it positive as long as none has switched. Collective. */
+      /** Least switching function of watched nodes, with the sign that makes it
+       * positive until a node switches. Collective. */
       double
       least_function(const Place &place) const
       {
@@ -195,8 +194,8 @@ namespace Crevasse
         return Utilities::MPI::min(least, communicator);
       }
 
-      /** Goes to the first event on the way to `to`; whether it was found to
-       * @p shortest. */
+      /** Goes to the first event on the way to `to`. @return whether it was
+       * found to @p shortest. */
       bool
       locate(RateEquation &f, const double shortest, const bool estimates_error)
       {
@@ -208,15 +207,15 @@ namespace Crevasse
         const double end = to.t;
         End          left{from.t, least_function(from)};
         End          right{end, least_function(to)};
-        const End   *last   = nullptr; // the end that was moved last
-        End          before = left;    // where it was
+        const End   *last   = nullptr; // end moved last
+        End          before = left;    // its last position
         for (unsigned int trial = 0; trial < most_trials; ++trial)
           {
             const double at_left  = left.weight * left.value;
             const double at_right = right.weight * right.value;
             double       t =
               left.t + (right.t - left.t) * at_left / (at_left - at_right);
-            // The functions are smooth on either side: the secant through two
+            // The functions are smooth on either side: a secant through two
             // points of one side is better, if it stays between the ends.
             if (last != nullptr)
               {
@@ -227,7 +226,7 @@ namespace Crevasse
                   t = secant;
               }
             if (trial == 0 && end - t <= shortest)
-              return true; // the end is the event
+              return true; // event at the end
             go_to(f, t, estimates_error);
             ++trials;
 
@@ -239,7 +238,8 @@ namespace Crevasse
               return true;
             End &moved = here > 0. ? left : right;
             End &stays = here > 0. ? right : left;
-            // One that stays again counts less, so that both ends come closer.
+            // An end that stays again gets less weight, so that both ends
+            // converge.
             const double ratio = 1. - here / moved.value;
             stays.weight *= last != &moved ? 1. : (ratio > 0. ? ratio : 0.5);
             before = moved;
@@ -251,12 +251,12 @@ namespace Crevasse
 
       const std::unique_ptr<Integrator> method;
 
-      Place begin;    ///< of the step
-      Place from, to; ///< of its parts
+      Place begin;    ///< state at the step's begin
+      Place from, to; ///< states at ends of its parts
 
       std::vector<int> sides;
       MPI_Comm         communicator = MPI_COMM_SELF;
-      double           rounding     = 0.; ///< of the switching functions
+      double           rounding     = 0.; ///< of switching functions
 
       std::size_t events = 0, trials = 0, missed = 0, given_up = 0;
     };

@@ -12,21 +12,20 @@ namespace Crevasse
 {
   namespace
   {
-    /** A Runge–Kutta method, explicit or diagonally implicit. The last stage of
-     * an implicit one is the state at the end of the step. */
+    /** Runge–Kutta method, explicit or diagonally implicit. The last stage of
+     * an implicit method is the state at the end of the step. */
     struct ButcherTableau
     {
       const char         *name;
-      std::vector<double> nodes; ///< c
-      /** a: row s has s entries, or s + 1 if its stage is implicit. An empty
-       * first row is the beginning of the step. */
+      std::vector<double> nodes; ///< nodes c
+      /** Matrix a: row s has s entries, or s + 1 if its stage is implicit. An
+       * empty first row is the beginning of the step. */
       std::vector<std::vector<double>> matrix;
-      std::vector<double>              weights; ///< b
-      /** b less those of an embedded method of order 1; empty: there is none.
-       */
+      std::vector<double>              weights; ///< weights b
+      /** Weights b minus those of an embedded method of order 1, or empty. */
       std::vector<double> error_weights;
-      /** Length of the interval of the negative real axis on which the
-       * stability function is at most 1 in modulus. */
+      /** Length of the negative real interval on which the modulus of the
+       * stability function is at most 1. */
       double stability_limit;
 
       bool
@@ -110,7 +109,7 @@ namespace Crevasse
       }
 
       const ButcherTableau tableau;
-      std::vector<Vector>  rates; ///< of the stages that it evaluates
+      std::vector<Vector>  rates; ///< rates of evaluated stages
       Vector               stage;
     };
 
@@ -140,7 +139,7 @@ namespace Crevasse
     ButcherTableau
     rk4()
     {
-      // 1 + z + z²/2 + z³/6 + z⁴/24 = 1 at z = −2.785293563405282.
+      // The stability limit is the root of 1 + z + z²/2 + z³/6 + z⁴/24 = 1.
       return {"rk4",
               {0., 0.5, 0.5, 1.},
               {{}, {0.5}, {0., 0.5}, {0., 0., 1.}},
@@ -149,9 +148,9 @@ namespace Crevasse
               2.785293563405282};
     }
 
-    /** The L-stable method of order 2 of Alexander, SIAM J. Numer. Anal. 14,
-     * 1977. The embedded one has the weights (1−a, a), a = 2 − 5√2/4
-     * (Ellsiepen, 1999). */
+    /** L-stable method of order 2 of Alexander, SIAM J. Numer. Anal. 14, 1977.
+     * The embedded method has the weights (1−a, a), a = 2 − 5√2/4 (Ellsiepen,
+     * 1999). */
     ButcherTableau
     sdirk2()
     {
@@ -165,8 +164,9 @@ namespace Crevasse
               no_stability_limit};
     }
 
-    /** Of order 2 and A-stable: stiff components oscillate instead of decaying.
-     * With equal steps its periodic state is that of harmonic balance. */
+    /** Trapezoidal rule, of order 2 and A-stable: stiff components oscillate
+     * instead of decaying. With equal steps its periodic state is that of
+     * harmonic balance. */
     ButcherTableau
     trapezoid()
     {
@@ -181,20 +181,20 @@ namespace Crevasse
 
 
     /**
-     * A semi-implicit method of order 2, in the manner of those that the paper
-     * compares (§6.2.1): Euler's method predicts r, the displacement is solved
-     * for that, and the trapezoidal rule corrects r with this displacement,
-     * implicitly in the stress that r relaxes:
+     * A semi-implicit method of order 2, like those that the paper compares
+     * (§6.2.1): Euler's method predicts r, the displacement is solved for that,
+     * and the trapezoidal rule corrects r with this displacement, implicitly in
+     * the stress that r relaxes:
      *
      *     r* = r + Δt f(r,t)
      *     r(t + Δt) = r + ½Δt [f(r,t) + η⁻¹ s(q(r*), r(t + Δt))]
      *
-     * It costs what Heun's method costs, with the same A. If all relax alike
-     * its steps have no limit; it comes from where relaxing parts are loaded by
-     * others. With two of them in parallel, of which one does not flow and the
-     * other has the share p of the stiffness, a step multiplies the viscous
-     * strain by (1 − z/2 + pz − p(1−p)z²/2) / (1 + z/2), z = Δt/τ; its modulus
-     * is at most 1 for z up to 6 whatever p is (6 at p = 1/3).
+     * It costs as much as Heun's method, with the same A. If all parts relax
+     * alike, steps have no stability limit; parts that load others cause it.
+     * With two parts in parallel, of which one does not flow and the other has
+     * the share p of the stiffness, a step multiplies the viscous strain by (1
+     * − z/2 + pz − p(1−p)z²/2) / (1 + z/2), z = Δt/τ; its modulus is at most 1
+     * for z up to 6 whatever p is (6 at p = 1/3).
      */
     class PredictorCorrector : public Integrator
     {
@@ -225,19 +225,18 @@ namespace Crevasse
 
 
     /**
-     * The exponential Runge–Kutta method of order 2 (Cox and Matthews, J.
-     * Comput. Phys. 176, 2002, ETD2RK) for the relaxation L = k w/η₀ HK of each
-     * point where the strain is held; what the strain does is its "nonlinear"
-     * part:
+     * Exponential Runge–Kutta method of order 2 (Cox and Matthews, J. Comput.
+     * Phys. 176, 2002, ETD2RK) for the relaxation L = k w/η₀ HK of each point
+     * at constant strain; the change of strain is the "nonlinear" part:
      *
      *     d = Δt φ₁(−ΔtL) f(r,t),      a = r + d
      *     r(t + Δt) = a + Δt φ₂(−ΔtL) [f(a, t + Δt) − f(r,t)]
      *                   + (I − φ₁(−ΔtL)) d
      *
-     * It is exact where the strain is held or moves uniformly, costs what
-     * Heun's method costs, with the same A, and has no limit of the step: with
-     * E = e^(−ΔtL), W = I − φ₁ and Π the projection of strains onto those that
-     * fit together, a step multiplies r by I − (I + WΠ)(I − E)(I − Π), whose
+     * It is exact if the strain is constant or changes uniformly, costs as much
+     * as Heun's method, with the same A, and has no stability limit: with E =
+     * e^(−ΔtL), W = I − φ₁ and Π the projection of strains onto compatible
+     * ones, a step multiplies r by I − (I + WΠ)(I − E)(I − Π), whose
      * eigenvalues lie in [0,1] for two bodies in parallel (p² to 1 for a body
      * of share p beside one that does not flow) and did so for 60 000 random L
      * and Π of up to 8 unknowns with rates 10⁹ apart.
@@ -261,7 +260,7 @@ namespace Crevasse
         step.r += increment;
         f.rate(step.t + step.length, step.r, second_rate);
 
-        // Into one vector: Δt φ₂ [f(a) − f(r)] + d − φ₁ d.
+        // One vector collects Δt φ₂ [f(a) − f(r)] + d − φ₁ d.
         second_rate -= step.rate;
         f.apply_relaxation(2, step.t, step.length, second_rate);
         second_rate *= step.length;

@@ -17,8 +17,8 @@ namespace Crevasse
 
 
 
-    /** @throw NumericalError if the largest step is not below @p limit ×
-     * @p smallest_relaxation_time, with both numbers and what to set. */
+    /** Checks stability. @throw NumericalError if the largest step is not below
+     * @p limit × @p smallest_relaxation_time, with advice. */
     void
     require_stability(const StepList &steps,
                       const bool      are_uniform,
@@ -56,7 +56,7 @@ namespace Crevasse
 
 
 
-    /** The largest rate at which the stress of the elastic body relaxes. */
+    /** Largest relaxation rate of the stress in the elastic body. */
     double
     elastic_relaxation_rate(const PeriodStep &step)
     {
@@ -110,7 +110,7 @@ namespace Crevasse
             << " on is too large: " << step.integrator.properties.name
             << " is stable with steps of at most " << longest
             << " where the stress relaxes as fast as here. ";
-    // Steps that were too long before may have made the stress what it is.
+    // Earlier steps that were too long may have caused this stress.
     if (n_needed > most_steps)
       message << "The elastic stress needs more than " << most_steps
               << " steps a period. Check the units of [Material] Creep "
@@ -152,7 +152,7 @@ namespace Crevasse
                        : steps.period() / parameters.steps_per_period;
     if (parameters.check_stability)
       {
-        // Close to the limit errors hardly decay.
+        // Close to the stability limit errors hardly decay.
         const double part = integrator.controls_steps ? 1. : 0.9;
         longest = std::min(longest, part * limit * smallest_relaxation_time);
       }
@@ -165,7 +165,7 @@ namespace Crevasse
            "any step, or look at the viscosity in [Material], at "
            "[Loads] Period and at their units.");
     if (integrator.controls_steps)
-      return std::make_unique<StepControl>(); // from sample to sample
+      return std::make_unique<StepControl>(); // steps between samples
     return make_adaptive_steps(
       parameters, longest, steps, integrator, if_checked);
   }

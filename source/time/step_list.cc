@@ -25,7 +25,7 @@ namespace Crevasse
 
 
 
-    /** Sorted, with @p others but those that rounding takes apart from some. */
+    /** Sorted union; of values equal to rounding the one of @p some stays. */
     std::vector<double>
     unite(std::vector<double>        some,
           const std::vector<double> &others,
@@ -59,12 +59,12 @@ namespace Crevasse
         instants = fixed;
         return;
       }
-    // Computed from the step number: sums of steps would drift.
+    // Instants follow from the step number: sums of steps would drift.
     const unsigned int n = parameters.steps_per_period;
     instants.resize(n + 1);
     for (unsigned int k = 0; k <= n; ++k)
       instants[k] = period * k / n;
-    // Adaptive steps divide equal ones, so as not to step over a pulse.
+    // Adaptive steps divide equal steps, so as not to step over a pulse.
     if (control == StepControlType::adaptive)
       fixed = instants = unite(fixed, instants, period);
   }

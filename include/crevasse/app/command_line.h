@@ -9,33 +9,32 @@
 
 namespace Crevasse
 {
-  /** The exit statuses that scripts rely on. */
+  /** Exit statuses of the program, which scripts rely on. */
   enum ExitStatus
   {
     done              = 0,
-    bad_input         = 2, ///< found before computing
+    bad_input         = 2, ///< found before the run
     numerical_failure = 3,
     file_failure      = 4,
-    stopped           = 5 ///< on request; a checkpoint was written
+    stopped           = 5 ///< on request, with a checkpoint
   };
 
-  /** What the command line says. */
+  /** Contents of the command line. */
   struct Command
   {
     std::string              scene_file;
     std::vector<std::string> overrides; ///< "Section/Name=value"
     std::string              output_directory;
     std::string              print_format; ///< prm, json, markdown or nothing
-    bool                     check   = false;
-    bool                     quiet   = false;
-    bool                     verbose = false;
-    bool                     resume  = false;
-    bool                     force   = false; ///< earlier results are replaced
-    double                   wall_time     = 0.;    ///< seconds; 0: any
-    bool                     stress_record = false; ///< see StressWriter
+    bool                     check         = false;
+    bool                     quiet         = false;
+    bool                     verbose       = false;
+    bool                     resume        = false;
+    bool                     force         = false; ///< replace earlier results
+    double                   wall_time     = 0.;    ///< seconds; 0: unlimited
+    bool                     stress_record = false; ///< use StressWriter
 
-    /** Set if there is nothing to do but to exit: help, version, or a mistake,
-     * about which the user has been told. */
+    /** Whether to exit at once: after help, version, or a reported mistake. */
     bool       exit   = false;
     ExitStatus status = done;
   };
@@ -43,8 +42,8 @@ namespace Crevasse
   Command
   parse_command_line(const int argc, const char *const *argv);
 
-  /** "; did you mean ...?" for a scene file that does not exist: a command, or
-   * a scene of its folder or of prm; or nothing. */
+  /** Suggestion "; did you mean ...?" for a missing scene file: a command, or a
+   * scene of its folder or of prm; empty if nothing is similar. */
   std::string
   similar_to(const std::string &scene_file);
 } // namespace Crevasse

@@ -10,19 +10,18 @@
 
 namespace Crevasse
 {
-  /** Of the program that ends by this exception: 2 for SceneError, 4 for
-   * FileError, 3 for the rest. */
+  /** Exit status of the program for an exception: 2 for SceneError, 4 for
+   * FileError, 3 for others. */
   int
   exit_status_of(const std::exception &error);
 
   /**
-   * The end of a run by an exception: writes its message and returns its exit
-   * status.
+   * Ends a run by an exception: writes its message and returns its exit status.
    *
-   * Most errors are thrown on all ranks at once. If this rank alone has one, as
-   * when the first one cannot write a table, the others wait for it in some
-   * communication for ever: after some seconds it ends all of them by
-   * MPI_Abort, with the same status.
+   * Most errors are thrown on all ranks at once. If only one rank has an error,
+   * e.g. if the first rank cannot write a table, the others would wait for it
+   * forever: after some seconds the rank ends all ranks by MPI_Abort, with the
+   * same status.
    */
   int
   report_failure(const std::exception &error,

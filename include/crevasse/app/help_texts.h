@@ -6,10 +6,10 @@
 
 namespace Crevasse
 {
-  /** What follows the options in the output of --help. */
+  /** Text after the options in the output of --help. */
   extern const char *const examples_and_statuses;
 
-  /** For a call without arguments. */
+  /** Text for a call without arguments. */
   extern const char *const what_to_do_next;
 } // namespace Crevasse
 

@@ -11,12 +11,12 @@
 
 namespace Crevasse
 {
-  /** Where a run writes to, and who says so: messages name it. */
+  /** The output directory of a run, and its source, which messages name. */
   class OutputChoice
   {
   public:
-    /** --output, else the scene's output directory, else results/NAME for the
-     * scene NAME.prm. */
+    /** Chooses --output, else the scene's output directory, else results/NAME
+     * for the scene NAME.prm. */
     OutputChoice(const Command &command, const Scene &scene);
 
     const std::string &
@@ -25,35 +25,35 @@ namespace Crevasse
       return path;
     }
 
-    /** Finds without creating anything what would hinder a run: something on
-     * the way that is no directory, or that forbids to write. What else a
-     * file system refuses only prepare() finds. @throw FileError */
+    /** Checks that a run can use the directory, without creating anything: an
+     * existing part may not be a directory or may forbid writing. Other
+     * obstacles of a file system only prepare() finds. @throw FileError */
     void
     require_usable() const;
 
-    /** --resume is what is meant where there are checkpoints of a run with the
-     * same parameters that has not ended.
-     * @throw SceneError if there are any and nothing else was asked for. */
+    /** Checks for checkpoints of an unfinished run with the same parameters,
+     * where --resume was probably forgotten.
+     * @throw SceneError if there are any and nothing else was requested. */
     void
     require_nothing_to_resume(const std::string &used_parameters) const;
 
-    /** Why a run that has ended there is not to be resumed; empty if it
-     * has not ended, or if the scene now allows it more periods.
+    /** Reason why a finished run in the directory cannot be resumed; empty if
+     * it has not ended, or if the scene now allows more periods.
      *
      * @param parameters all of the scene; see scene_as_json().
-     * @throw SceneError if the run that has ended had another scene. */
+     * @throw SceneError if the finished run had another scene. */
     std::string
     why_finished(const Scene &scene, const Summary &parameters) const;
 
-    /** Makes the directory that of a run that has not ended, which goes on
-     * there, and of no other as long as the lock exists. @throw FileError */
+    /** Marks the directory as that of an unfinished run, which continues there,
+     * and keeps others out while the lock exists. @throw FileError */
     std::unique_ptr<DirectoryLock>
     resume() const;
 
-    /** Creates the directory where needed, clears the results of an earlier
-     * run away, and keeps others out as long as the lock exists.
+    /** Creates the directory if needed, clears away the results of an earlier
+     * run, and keeps others out while the lock exists.
      *
-     * @param kept the folder where those results are, if they are kept.
+     * @param kept the folder with the earlier results, if they are kept.
      * @throw FileError */
     std::unique_ptr<DirectoryLock>
     prepare(std::string &kept) const;

@@ -11,7 +11,7 @@
 
 namespace Crevasse
 {
-  /** A subcommand that is a script of the Python package. */
+  /** A subcommand that runs a script of the Python package. */
   struct ScriptCommand
   {
     std::string name, meaning;
@@ -20,19 +20,18 @@ namespace Crevasse
   const std::vector<ScriptCommand> &
   script_commands();
 
-  /** Whether the first word of the command line is one of them. */
+  /** Whether the first word of the command line is a script command. */
   bool
   is_script_command(const int argc, const char *const *argv);
 
   /**
-   * Replaces this process, before MPI starts, by
-   * `/usr/bin/python3 -m crevasse NAME ...`. The package is looked for beside
-   * the program: in `python` of a build directory, or in
-   * `../share/crevasse/python` of an installation. The environment variable
-   * `CREVASSE_PROGRAM` tells the script where the program is; for its runs
-   * there is a server, see leave_server().
+   * Replaces this process, before MPI starts, by `/usr/bin/python3 -m crevasse
+   * NAME ...`. The package is searched beside the program: in `python` of a
+   * build directory, or in `../share/crevasse/python` of an installation. The
+   * environment variable `CREVASSE_PROGRAM` is the path of the program; a
+   * server executes its runs, see leave_server().
    *
-   * @return the exit status if that is impossible; the user has been told why.
+   * @return the exit status if that is impossible, after a message.
    */
   int
   run_script_command(const int argc, char **argv, const Program program_main);

@@ -6,35 +6,35 @@
 
 namespace Crevasse
 {
-  /** What main() does with a command line. */
+  /** Function that executes a command line, as main() does. */
   using Program = int (*)(int argc, char **argv);
 
   /**
    * `crevasse serve`: runs the program many times without starting it. Loading
-   * 200 shared libraries takes 0.4 s, which is most of what a small scene
-   * takes. This process has loaded them and forks before anything is
-   * initialised, so that each run has a process of its own: an exit status,
-   * signals, memory, and no state of others.
+   * 200 shared libraries takes 0.4 s, most of the time of a small scene. The
+   * server has loaded them and forks before anything is initialised, so that
+   * each run has its own process: exit status, signals, memory, and no state of
+   * other runs.
    *
    * A request is a line of standard input,
    *   {"id": 1, "arguments": ["a.prm"], "output": FILE, "error": FILE}
    * with the files for standard output and error; optional are "directory",
    * "seconds" after which the run is killed, and the variables of the
-   * environment to "unset". Runs of several requests go on at the same time.
-   * Lines of standard output tell of each run its process, to which signals may
-   * be sent, and its end,
+   * environment to "unset". Several requests run at the same time. For each
+   * run, lines of standard output report its process, to which signals may be
+   * sent, and its end,
    *   {"id": 1, "process": 4711}
-   *   {"id": 1, "status": 0, "cpu": 0.05}
-   * where a status below zero is minus the number of the signal that ended it.
-   * A request that cannot be read is answered with the id null and the
-   * status 2. The end of the input ends all runs. Called before MPI starts.
+   * {"id": 1, "status": 0, "cpu": 0.05} where a negative status is minus the
+   * number of the signal that ended the run. A request that cannot be read is
+   * answered with the id null and the status 2. The end of the input ends all
+   * runs. Called before MPI starts.
    */
   int
   serve(const Program program);
 
-  /** Makes such a server of a copy of this process, before another program
-   * replaces it. The environment variable `CREVASSE_SERVER` tells that program
-   * where to write requests and to read answers: "FILE DESCRIPTOR, FILE
+  /** Starts a server in a copy of this process, before another program replaces
+   * the process. The environment variable `CREVASSE_SERVER` gives that program
+   * the descriptors to write requests and read answers: "FILE DESCRIPTOR, FILE
    * DESCRIPTOR". */
   void
   leave_server(const Program program);

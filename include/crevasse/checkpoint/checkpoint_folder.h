@@ -13,23 +13,23 @@
 
 namespace Crevasse
 {
-  /** What manifest.json says of a checkpoint. */
+  /** Contents of manifest.json, the description of a checkpoint. */
   struct CheckpointManifest
   {
-    unsigned int number = 0; ///< of the checkpoints of a run
+    unsigned int number = 0; ///< checkpoint number within the run
     unsigned int period = 0, step = 0;
-    unsigned int ranks = 0; ///< that wrote it
-    Summary      scene;     ///< every parameter
+    unsigned int ranks = 0; ///< number of ranks that wrote it
+    Summary      scene;     ///< all parameters of the scene
 
-    /** The other files of the checkpoint, by name. */
+    /** Size and checksum of each other file of the checkpoint. */
     std::map<std::string, FileCheck> files;
-    /** The tables, by name: what was written later is cut off. */
+    /** Size and checksum of each table when the checkpoint is written. */
     std::map<std::string, FileCheck> tables;
 
     std::size_t
     bytes() const;
 
-    /** What other ranks need. */
+    /** Serialises the members that every rank needs. */
     template <typename Archive>
     void
     serialize(Archive &archive, const unsigned int)
@@ -39,10 +39,10 @@ namespace Crevasse
   };
 
   /**
-   * The folder checkpoint/ of an output directory. A checkpoint is a folder in
-   * it, named by its number: NUMBER.new while it is written, then renamed, so
-   * that it is there as a whole or not at all. The last two are kept. All
-   * functions are those of the first rank only, except the names.
+   * The folder checkpoint/ of an output directory. Each checkpoint is a
+   * subfolder named by its number: NUMBER.new while it is written, then
+   * renamed, so that it is complete or absent. The last two are kept. Only the
+   * first rank may call functions other than name().
    */
   class CheckpointFolder
   {
@@ -50,63 +50,63 @@ namespace Crevasse
     /** @param directory The output directory of the run. */
     explicit CheckpointFolder(const std::string &directory);
 
-    /** Of the folder of a checkpoint. */
+    /** Path of a checkpoint's folder. */
     std::string
     name(const unsigned int number) const
     {
       return path + '/' + std::to_string(number);
     }
 
-    /** The same while it is written. */
+    /** Path of a checkpoint's folder while the checkpoint is being written. */
     std::string
     new_name(const unsigned int number) const
     {
       return name(number) + ".new";
     }
 
-    /** Makes the folder of a new checkpoint, and returns its number.
-     * @throw FileError, also if there is no room for so many bytes. */
+    /** Creates the folder of a new checkpoint, and returns its number.
+     * @throw FileError, also if the disk lacks room for so many bytes. */
     unsigned int
     begin(const std::size_t bytes) const;
 
-    /** Completes the manifest, takes the checkpoint over, and removes those
-     * that are not needed any more. All its other files must be there.
+    /** Writes the manifest, renames the folder to its final name, and removes
+     * all checkpoints but the last two. The other files must exist.
      *
-     * @param tables of the run, which are written through to the disk.
+     * @param tables the tables of the run, which are flushed to the disk.
      * @throw FileError */
     void
     finish(CheckpointManifest             &manifest,
            const std::vector<std::string> &tables) const;
 
-    /** Removes what there is of a checkpoint that was begun, but not finished:
-     * what cannot be used should not fill the disk. */
+    /** Removes an unfinished checkpoint, so that unusable files do not fill the
+     * disk. */
     void
     abandon(const unsigned int number) const;
 
-    /** The newest checkpoint that is in order. Nothing is changed.
+    /** Finds the newest undamaged checkpoint, without changing any file.
      *
-     * @param[out] warnings about those that are damaged.
-     * @throw FileError if another version of the program wrote it, or if a file
-     * that is there cannot be opened. */
+     * @param[out] warnings one for each damaged checkpoint.
+     * @throw FileError if another version of the program wrote the checkpoint,
+     * or if one of its files cannot be opened. */
     std::optional<CheckpointManifest>
     newest(std::vector<std::string> &warnings) const;
 
-    /** Whether there is a checkpoint, in order or not. */
+    /** Whether the folder has any checkpoint, damaged or not. */
     bool
     has_any() const
     {
       return !numbers().empty();
     }
 
-    /** Whether the run can go on in its tables. Nothing is changed.
-     * @throw FileError if one does not begin with what it was when the
+    /** Checks that a resumed run can append to its tables; changes no file.
+     * @throw FileError if a table does not begin with what it held when the
      * checkpoint was written, or cannot be written to. */
     void
     require_tables(const CheckpointManifest &manifest) const;
 
-    /** Cuts the tables to what they had. Renames checkpoints that are newer,
-     * which are damaged, to NUMBER.damaged, so that the run can use their
-     * numbers. @throw FileError */
+    /** Truncates the tables to their sizes at this checkpoint. Renames newer
+     * checkpoints, which are damaged, to NUMBER.damaged, so that the run can
+     * use their numbers. @throw FileError */
     void
     go_back_to(const CheckpointManifest &manifest) const;
 
@@ -117,7 +117,7 @@ namespace Crevasse
     CheckpointManifest
     read(const unsigned int number) const;
 
-    const std::string directory; ///< of the run
+    const std::string directory; ///< output directory of the run
     const std::string path;
   };
 } // namespace Crevasse

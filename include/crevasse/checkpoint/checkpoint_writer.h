@@ -16,20 +16,20 @@
 namespace Crevasse
 {
   /**
-   * Writes the state of a run as a checkpoint, or takes it over from one: the
-   * beginning that Checkpoints knows of, a header, and all SerializationScopes.
-   * What all ranks have alike is in common.bin; the mesh and the fields are in
-   * the files that Triangulation::save() writes.
+   * Writes the state of a run to a checkpoint, or restores it from one: the
+   * first part set by Checkpoints::begin_with(), a header, and all
+   * SerializationScopes. Data that is the same on all ranks is in common.bin;
+   * the mesh and the fields are in the files that Triangulation::save() writes.
    */
   template <int dim>
   class CheckpointWriter : public Checkpointer
   {
   public:
-    /** All arguments must outlive this object.
+    /** The arguments must outlive the CheckpointWriter.
      *
-     * @param n_stresses the fields of a stress that a checkpoint may have.
-     * @param search whose end has a checkpoint, see at_end_of_search().
-     * @param header which a resumed run has read already. */
+     * @param n_stresses largest number of stress fields in a checkpoint.
+     * @param search parameters of the search; see at_end_of_search().
+     * @param header serialises the header, which a resumed run has read. */
     CheckpointWriter(Checkpoints                   &checkpoints,
                      const Body<dim>               &body,
                      const unsigned int             n_stresses,
@@ -44,7 +44,7 @@ namespace Crevasse
                                    double(body.points.n_points()) * n_stresses;
     }
 
-    /** @throw StoppedOnRequest if that is asked for, with a checkpoint. */
+    /** Writes a due checkpoint. @throw StoppedOnRequest if asked to stop. */
     void
     between_steps(const unsigned int period, const unsigned int step) override
     {
@@ -63,9 +63,9 @@ namespace Crevasse
       checkpoints.stop();
     }
 
-    /** Keeps what a run with more periods or a smaller tolerance can resume
-     * from, if that is likely: checkpoints are wanted, or it has not converged.
-     * No checkpoint where another mesh follows. */
+    /** Writes a checkpoint at the end of a search if a longer run is likely to
+     * resume from it: checkpoints are enabled, or the search has not converged.
+     * None is written if another mesh follows. */
     void
     at_end_of_search(const unsigned int period,
                      const bool         has_converged) override
@@ -89,7 +89,7 @@ namespace Crevasse
       checkpoints.has_resumed();
     }
 
-    /** @return whether it could be written; if not, the log has the reason. */
+    /** @return whether the checkpoint was written; if not, the log says why. */
     bool
     write(const unsigned int period, const unsigned int step)
     {
@@ -145,7 +145,7 @@ namespace Crevasse
     const Body<dim>               &body;
     const PeriodicStateParameters &search;
     const Checkpoints::Serialize   header;
-    std::vector<std::size_t>       bytes_of_cells; ///< in the last checkpoint
+    std::vector<std::size_t>       bytes_of_cells; ///< sizes in last checkpoint
   };
 } // namespace Crevasse
 

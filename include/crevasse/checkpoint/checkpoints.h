@@ -13,65 +13,64 @@
 
 namespace Crevasse
 {
-  /** The checkpoints of one run: when they are written, and the one that it is
-   * resumed from. CheckpointWriter documents what they contain. */
+  /** Decides when a run writes checkpoints, and holds the checkpoint that it is
+   * resumed from. CheckpointWriter documents their contents. */
   class Checkpoints
   {
   public:
     using Serialize = std::function<void(StateArchive &)>;
 
-    /** References must outlive this object.
+    /** The references must outlive the Checkpoints.
      *
-     * @param directory where the run writes to.
-     * @param scene every parameter.
-     * @param every so many periods one is written; 0: only on request. */
+     * @param directory output directory of the run.
+     * @param scene all parameters of the scene.
+     * @param every number of periods between checkpoints; 0: on request. */
     Checkpoints(StopRequests      &requests,
                 Log               &log,
                 const std::string &directory,
                 const Summary     &scene,
                 const unsigned int every);
 
-    /** Resumes the run from the newest checkpoint that is in order. Nothing in
-     * the folder is changed. Collective.
-     * @throw FileError if there is none, SceneError if its scene differs from
-     * this one in what matters. */
+    /** Resumes the run from the newest undamaged checkpoint, without changing
+     * any file in the folder. Collective.
+     * @throw FileError if there is no such checkpoint, SceneError if its scene
+     * differs in a parameter that must not change. */
     void
     resume(const MPI_Comm communicator);
 
-    /** Whether a run is to be resumed, as long as it has not been. */
+    /** Whether the run is still to be resumed from a checkpoint. */
     bool
     is_resuming() const
     {
       return archive != nullptr;
     }
-    /** What all ranks have alike of the resumed run. */
+    /** Archive to resume from, with the data that is the same on all ranks. */
     CommonArchive &
     resumed()
     {
       return *archive;
     }
-    /** The file that its mesh is loaded from. */
+    /** The file from which the mesh of the resumed run is loaded. */
     std::string
     resumed_mesh() const
     {
       return folder.name(manifest.number) + mesh_file;
     }
 
-    /** After resume(), that one; afterwards the last one that was written. */
+    /** Manifest of the last checkpoint written, or else of the resumed one. */
     const CheckpointManifest &
     last_manifest() const
     {
       return manifest;
     }
 
-    /** What a checkpoint begins with. */
+    /** Sets the function that serialises the first part of a checkpoint. */
     void
     begin_with(const Serialize &serialize)
     {
       first_part = serialize;
     }
-    /** Names the tables that the run writes, which go on when it is
-     * resumed. */
+    /** Sets the names of the run's tables, to which a resumed run appends. */
     void
     set_tables(const std::vector<std::string> &names)
     {
@@ -89,21 +88,21 @@ namespace Crevasse
     using Position = std::pair<unsigned int, unsigned int>; // period, step
 
     static constexpr const char *common_file = "/common.bin";
-    static constexpr const char *mesh_file   = "/mesh"; ///< and its fields
+    static constexpr const char *mesh_file   = "/mesh"; ///< mesh and fields
 
-    /** What is to be done between two steps. Collective. */
+    /** Decides between two steps on a checkpoint or a stop. Collective. */
     StopRequests::Request
     ask(const Position &position);
 
-    /** Notes that the run was resumed. */
+    /** Records that the run has been resumed. */
     void
     has_resumed();
 
-    /** Notes that one was written, and what it took. */
+    /** Records a written checkpoint, and the seconds that it took. */
     void
     has_written(const CheckpointManifest &written, const double seconds);
 
-    /** Ends the run. */
+    /** Ends the run by throwing StoppedOnRequest. */
     [[noreturn]] void
     stop() const;
 
@@ -113,12 +112,12 @@ namespace Crevasse
 
     Serialize                      first_part;
     std::vector<std::string>       tables;
-    std::unique_ptr<CommonArchive> archive; ///< of the run to be resumed
+    std::unique_ptr<CommonArchive> archive; ///< data to resume from
     CheckpointManifest             manifest;
-    Position                       last = {0, 0}; ///< of which there is one
+    Position                       last = {0, 0}; ///< last checkpoint or resume
 
-    /** How large they may become, and that of a slow disk, until it is
-     * measured: this tells how long the next one may take. */
+    /** Largest expected checkpoint, and writing time per byte, that of a slow
+     * disk until measured: they predict the time that the next one takes. */
     double expected_bytes = 0., seconds_per_byte = 1. / 50e6;
   };
 } // namespace Crevasse

@@ -16,12 +16,12 @@
 
 namespace Crevasse
 {
-  /** The part of an archive that all ranks have alike. It has no fields, for
-   * which there must be a mesh first: see FieldArchive. */
+  /** Archive of data that is the same on all ranks. It has no fields, as these
+   * need a mesh first: see FieldArchive. */
   class CommonArchive : public StateArchive
   {
   public:
-    /** Empty, to be written. */
+    /** Creates an empty archive for writing. */
     explicit CommonArchive(const MPI_Comm communicator)
       : mpi_communicator(communicator)
       , same_ranks(true)
@@ -30,9 +30,9 @@ namespace Crevasse
     {
     }
 
-    /** To be read from the beginning on.
-     * @param bytes what the first rank has written.
-     * @param n_ranks that it was written by. */
+    /** Opens an archive for reading.
+     * @param bytes contents that the first rank wrote.
+     * @param n_ranks number of ranks of the run that wrote the archive. */
     CommonArchive(const MPI_Comm     communicator,
                   const std::string &bytes,
                   const unsigned int n_ranks)
@@ -82,7 +82,7 @@ namespace Crevasse
       AssertThrow(false, dealii::ExcInternalError());
     }
 
-    /** What was written. */
+    /** Contents written so far. */
     std::string
     bytes() const
     {

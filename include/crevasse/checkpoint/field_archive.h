@@ -15,22 +15,22 @@
 namespace Crevasse
 {
   /**
-   * A whole archive: what all ranks have alike goes on in a CommonArchive. The
-   * numbers of all fields are collected for each cell, one field after the
-   * other, and saved as data attached to the cells of the mesh. So other ranks
-   * can read them, each those of its cells.
+   * Complete archive of a run: a CommonArchive, and the fields. The values of
+   * all fields are collected for each cell, one field after the other, and
+   * saved as data attached to the cells of the mesh. So a run on other ranks
+   * can read them, each rank the values of its cells.
    */
   template <int dim>
   class FieldArchive : public CommonArchive
   {
   public:
-    /** Collective.
+    /** Continues a CommonArchive with fields. Collective.
      *
-     * @param common in which all before has been written, or read: then the
-     * mesh of the body has been loaded from the file of save_fields().
-     * @param body must outlive this object.
-     * @param expected bytes_of_cells() of an earlier one, if any: growing
-     * vectors need up to twice the memory. */
+     * @param common archive so far; when reading, the mesh of @p body has been
+     * loaded from the file of save_fields().
+     * @param body must outlive the FieldArchive.
+     * @param expected bytes_of_cells() of an earlier archive, if any: reserved,
+     * because growing vectors need up to twice the memory. */
     FieldArchive(CommonArchive                 &&common,
                  const Body<dim>                &body,
                  const std::vector<std::size_t> &expected = {})
@@ -55,10 +55,10 @@ namespace Crevasse
         });
     }
 
-    /** Writes the mesh and all fields, after which they are gone: see
+    /** Writes the mesh and all fields, and deletes the fields' values here: see
      * Triangulation::save(). Collective.
-     * @throw FileError if files are not whole; deal.II's exceptions if one
-     * cannot be written, after which the run cannot go on. */
+     * @throw FileError if a file is incomplete; deal.II's exceptions if one
+     * cannot be written, after which the run cannot continue. */
     void
     save_fields(const std::string &file_name)
     {
@@ -69,7 +69,7 @@ namespace Crevasse
         },
         true);
       mesh_of(body).save(file_name);
-      // p4est's ranks write one after the other: until then it is not whole.
+      // p4est's ranks write in turn: the file is complete after the barrier.
       const int error = MPI_Barrier(communicator());
       AssertThrowMPI(error);
       collectively(communicator(), [&]() {
@@ -78,7 +78,7 @@ namespace Crevasse
       });
     }
 
-    /** Not less than save_fields() writes, of all ranks. Collective. */
+    /** Upper bound of what save_fields() writes, over all ranks. Collective. */
     std::size_t
     bytes_to_save() const
     {
@@ -89,8 +89,8 @@ namespace Crevasse
              bytes_of_cell * body.space.mesh().n_global_active_cells();
     }
 
-    /** Of the fields of each cell, by active cell index; before they are
-     * saved. */
+    /** Bytes of the fields of each cell, by active cell index, before
+     * save_fields(). */
     std::vector<std::size_t>
     bytes_of_cells() const
     {
@@ -174,15 +174,14 @@ namespace Crevasse
     }
 
   private:
-    /** To attach data, as SolutionTransfer does; the cells stay. */
+    /** The body's mesh, to attach data to; its cells do not change. */
     static Mesh<dim> &
     mesh_of(const Body<dim> &body)
     {
       return const_cast<Mesh<dim> &>(body.space.mesh());
     }
 
-    /** On the first rank. @throw FileError if a file is not there or too small.
-     */
+    /** Checks the mesh files on rank 0. @throw FileError if incomplete. */
     static void
     require_files(const std::string &file_name, const std::size_t bytes)
     {
@@ -205,11 +204,11 @@ namespace Crevasse
     struct CellData
     {
       std::vector<char> bytes;
-      std::size_t       next = 0; ///< to be read
+      std::size_t       next = 0; ///< next byte to read
     };
 
-    /** The unknowns of the lips, which belong to no cell and are the same on
-     * any number of ranks. */
+    /** Exchanges the unknowns of the lips, which belong to no cell and are the
+     * same on any number of ranks. */
     void
     on_lip(Vector &field)
     {
@@ -226,7 +225,7 @@ namespace Crevasse
           field(i) = values[i - first];
     }
 
-    /** Of all ranks. Collective. */
+    /** Bytes of all fields, over all ranks. Collective. */
     std::size_t
     bytes_of_fields() const
     {
@@ -236,7 +235,7 @@ namespace Crevasse
       return dealii::Utilities::MPI::sum(bytes, communicator());
     }
 
-    /** Whether there is anything, on any rank. */
+    /** Whether a field of this size is non-empty on any rank. Collective. */
     bool
     is_there(const std::size_t size)
     {
@@ -247,7 +246,7 @@ namespace Crevasse
       return there == 1;
     }
 
-    /** Adds the numbers to those of a cell, or takes the next ones. */
+    /** Appends @p n values to a cell's data, or reads the next @p n values. */
     void
     exchange_of(const Cell &cell, double *values, const std::size_t n)
     {
@@ -267,7 +266,7 @@ namespace Crevasse
     }
 
     const Body<dim>       &body;
-    std::vector<CellData>  of_cells; ///< by active cell index
+    std::vector<CellData>  of_cells; ///< data of fields, by active cell index
     const UnilateralBounds bounds;
   };
 } // namespace Crevasse

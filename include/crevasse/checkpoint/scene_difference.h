@@ -12,14 +12,14 @@ namespace Crevasse
 {
   inline constexpr const char *checksums_of_files = "Content of files";
 
-  /** All parameters of a scene that was read, by section and name, and the
-   * checksums of the files that they name. */
+  /** All parameters of a scene, by section and name, and the checksums of the
+   * files that they name. */
   Summary
   scene_as_json(const dealii::ParameterHandler &prm);
 
-  /** A run may resume with other values of a parameter only if they leave its
-   * results up to now unchanged.
-   * @throw SceneError with all others that differ, and their values. */
+  /** Checks that a resumed run has the scene it was begun with, except for
+   * parameters that leave the results so far unchanged.
+   * @throw SceneError with all other differing parameters and their values. */
   void
   require_same_scene(const Summary &before, const Summary &now);
 } // namespace Crevasse

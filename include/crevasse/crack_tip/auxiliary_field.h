@@ -12,17 +12,17 @@
 
 namespace Crevasse
 {
-  /** The weight q = (1 − X²/R²)ⁿ (1 − Y²/R²)ⁿ of the interaction integral, the
-   * product of a factor of X and one of Y. */
+  /** Weight q = (1 − X²/R²)ⁿ (1 − Y²/R²)ⁿ of the interaction integral, the
+   * product of a factor of X and a factor of Y. */
   struct SquareWeight
   {
-    double radius; ///< R
-    /** n = 2 where the square cuts no cell. 3 else: with 2 the second
-     * derivatives jump where it ends. 4 in space: with 3 the third ones jump,
-     * which rules in cells do not integrate to four digits. */
+    double radius; ///< half side R
+    /** Exponent n: 2 if the square cuts no cell. 3 otherwise: with 2 the second
+     * derivatives jump at its edge. 4 in space: with 3 the third derivatives
+     * jump, which rules in cells do not integrate to four digits. */
     int exponent;
 
-    /** A factor and its first two derivatives; 0 outside of the square. */
+    /** One factor and its first two derivatives; 0 outside of the square. */
     std::array<double, 3>
     factor(const double x) const
     {
@@ -37,49 +37,49 @@ namespace Crevasse
     }
   };
 
-  /** The auxiliary field of the interaction integral: that of a unit K,
-   * differentiated along the crack, Bueckner's, with the stress function φ^B
+  /** Bueckner's field, the auxiliary field of the interaction integral: the
+   * field of a unit K differentiated along the crack, with stress function φ^B
    * and 2μ u^B = κ Φ − rest; half of it around a tip with two lips. */
   struct BuecknerField
   {
     using Complex = std::complex<double>;
 
-    /** @param local (X, Y), not (0, 0). */
+    /** @param local the point (X, Y), not (0, 0). */
     explicit BuecknerField(const dealii::Point<2> &local,
                            const CrackMode         mode = CrackMode::opening,
                            const bool              two_lips = false);
 
     Complex Phi, rest;
-    double  airy;            ///< φ^B
-    Complex along;           ///< ∂φ^B/∂X + i ∂φ^B/∂Y
-    double  mean;            ///< ½ (σ₁₁ + σ₂₂)
-    Complex half_difference; ///< ½ (σ₂₂ − σ₁₁) + i σ₁₂
+    double  airy;            ///< stress function φ^B
+    Complex along;           ///< gradient ∂φ^B/∂X + i ∂φ^B/∂Y
+    double  mean;            ///< mean stress ½ (σ₁₁ + σ₂₂)
+    Complex half_difference; ///< deviator ½ (σ₂₂ − σ₁₁) + i σ₁₂
   };
 
   /**
-   * What the interaction integral multiplies at a point, from the auxiliary
-   * field times the weight: see InteractionIntegral. N and E' w are
-   * (f₀ + κ f₁) 4/(κ + 1); all is in the coordinates of the mesh. Half of it
-   * where the tip has two lips: the body on both sides counts then.
+   * Factors of the InteractionIntegral at a point, from the auxiliary field
+   * times the weight, in the coordinates of the mesh. N and E' w are (f₀ + κ
+   * f₁) 4/(κ + 1). Halved where the tip has two lips: then the body on both
+   * sides counts.
    */
   struct AuxiliaryField
   {
-    /** Nothing anywhere. */
+    /** Creates a zero field. */
     AuxiliaryField() = default;
 
-    /** @param point not the tip itself. */
+    /** Computes the factors at a point. @param point not the tip itself. */
     AuxiliaryField(const CrackTip         &tip,
                    const CrackMode         mode,
                    const dealii::Point<2> &point,
                    const SquareWeight     &weight);
 
-    /** Adds a field times a factor. */
+    /** Adds another field times a factor. */
     void
     add(const double factor, const AuxiliaryField &other);
 
     std::array<VoigtVector<2>, 2>       of_stress; ///< N, with shears twofold
-    std::array<dealii::Tensor<1, 2>, 2> of_force;  ///< E' w
-    VoigtVector<2>                      of_strain; ///< τ
+    std::array<dealii::Tensor<1, 2>, 2> of_force;  ///< factor E' w of force
+    VoigtVector<2>                      of_strain; ///< factor τ of strain
   };
 } // namespace Crevasse
 

@@ -10,7 +10,7 @@
 
 namespace Crevasse
 {
-  /** How much of a lip is pressed. */
+  /** Status of a lip: how much of it is in contact. */
   enum class LipStatus
   {
     open,
@@ -18,27 +18,27 @@ namespace Crevasse
     closed
   };
 
-  /** What a lip is like at the instants of a period, those at which it changes
-   * included: the last that has one status and the first that has another. */
+  /** Status of a lip at an instant. Instants include the changes of status: the
+   * last with one status and the first with another. */
   struct LipMoment
   {
     double    instant;
     LipStatus status;
   };
 
-  /** The parts of the period in which a lip is closed wholly, and partly. */
+  /** Fractions of the period in which a lip is wholly and partly closed. */
   std::array<double, 2>
   closed_parts(const std::vector<LipMoment> &lip);
 
-  /** When a lip becomes wholly open. */
+  /** The event that a lip becomes wholly open. */
   struct LipOpening
   {
-    double      instant; ///< the last one at which it is not wholly open
-    std::string why_not; ///< why there is none; empty: there is one
+    double      instant; ///< last instant not wholly open
+    std::string why_not; ///< reason for no opening, or empty
   };
 
-  /** The last opening before an instant of a period that is one of many.
-   * @param instant of the largest intensity, one of those of the lip. */
+  /** Finds the last opening before an instant, in a motion of many equal
+   * periods. @param instant of the largest intensity, an instant in @p lip. */
   LipOpening
   last_opening(const std::vector<LipMoment> &lip, const double instant);
 } // namespace Crevasse

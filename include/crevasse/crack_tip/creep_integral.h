@@ -11,34 +11,33 @@
 namespace Crevasse
 {
   /**
-   * C(t), which measures how fast the surroundings of a crack tip creep where
-   * they do so by a power n of the stress (Bassani, McClintock, Int. J. Solids
-   * Struct. 17, 1981):
+   * C(t) measures the rate of creep around a crack tip by a power n of the
+   * stress (Bassani, McClintock, Int. J. Solids Struct. 17, 1981):
    *
    *     C = lim ∫_Γ (W n₁ − σᵢⱼ nⱼ u̇ᵢ,₁) ds,     W = n/(n+1) σ:ε̇ᶜ,
    *
-   * over curves Γ that shrink to the tip, X₁ along the crack. In steady creep
-   * it is C*. With a weight q that is 1 at the tip, P = σᵢⱼ u̇ᵢ,₁ − W δ₁ⱼ and
-   * P·n = 0 on the lips, pressed together or not, it is
+   * over curves Γ that shrink to the tip, X₁ along the crack. In steady creep C
+   * is C*. With a weight q that is 1 at the tip, P = σᵢⱼ u̇ᵢ,₁ − W δ₁ⱼ and P·n
+   * = 0 on open or closed lips, C is
    *
    *     C = ∫ P·∇q dA + ∫ q div P dA,
    *     div P = σ:(ε̇ − ε̇ᶜ),₁ − b·u̇,₁ − ∂W/∂X₁ at the same ε̇ᶜ,
    *
-   * and does not depend on the domain: all that is strain but no creep, that of
-   * temperature too, is in the second integral, and moduli and the law may vary
-   * (for the domain: Li, Shih, Needleman, Eng. Fract. Mech. 21, 1985). What is
-   * differentiated is recovered at nodes first: see StressRecovery. The weight
-   * is SquareWeight; a body on one side of the crack counts twice.
+   * and does not depend on the domain: the second integral contains all strain
+   * other than creep, also thermal strain, and moduli and the law may vary (on
+   * the domain: Li, Shih, Needleman, Eng. Fract. Mech. 21, 1985). Fields are
+   * recovered at nodes before they are differentiated: see StressRecovery. The
+   * weight is SquareWeight; a body on one side of the crack counts twice.
    */
   class CreepIntegral
   {
   public:
-    /** C over the larger square and over one of half its size. */
+    /** Values of C over the larger square and a square of half its size. */
     using Values = std::array<double, 2>;
 
-    /** Collective. Arguments must outlive this object.
+    /** Collective. The arguments must outlive the CreepIntegral.
      * @throw SceneError if the cells at the tip have different materials, or
-     * [Crack tip] Radius does not fit them. */
+     * [Crack tip] Radius does not suit them. */
     CreepIntegral(const Scene             &scene,
                   const Body<2>           &body,
                   const CrackTip          &tip,
@@ -46,8 +45,8 @@ namespace Crevasse
 
     CreepIntegral(const CreepIntegral &) = delete;
 
-    /** Collective. @param t within the period. @param velocity u̇, in the form
-     * of displacements. */
+    /** Computes C. Collective. @param t within the period. @param velocity u̇,
+     * in the form of displacements. */
     Values
     evaluate(const double  t,
              const Vector &stress,
@@ -63,7 +62,7 @@ namespace Crevasse
     const TipRegion region;
 
   private:
-    /** Whether a cell of this rank is in the larger square in part. */
+    /** Whether a cell of this rank overlaps the larger square. */
     template <typename Cell>
     bool
     is_within(const Cell &cell) const
@@ -71,7 +70,7 @@ namespace Crevasse
       return region.reach(cell->active_cell_index()).first < radius();
     }
 
-    /** ∂/∂X₁ of a recovered field at all points there. Collective. */
+    /** Derivative ∂/∂X₁ of a recovered field at all points. Collective. */
     std::vector<VoigtVector<2>>
     slopes(const Vector &field) const;
 

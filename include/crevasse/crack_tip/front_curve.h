@@ -8,18 +8,18 @@
 
 namespace Crevasse
 {
-  /** The coordinates around a crack front: of the nearest point of it, and
-   * there X ahead in the plane of the crack and Y into the body above it. The
+  /** Coordinates of a point around a crack front: the nearest point of the
+   * front, X ahead in the plane of the crack, and Y into the body above it. The
    * triad is right-handed, ahead × inward = tangent. */
   struct FrontFrame
   {
-    unsigned int         chain = 0;  ///< which front
+    unsigned int         chain = 0;  ///< index of the front
     double               s     = 0.; ///< arc length
     double               X = 0., Y = 0.;
     dealii::Tensor<1, 3> ahead, inward, tangent;
-    double               curvature = 0.; ///< k of d ahead/ds = k tangent
+    double               curvature = 0.; ///< k in d ahead/ds = k tangent
 
-    /** Length along a line at constant X, Y by length along the front. */
+    /** Length along a line at constant X, Y per length along the front. */
     double
     metric() const
     {
@@ -35,19 +35,19 @@ namespace Crevasse
 
   /**
    * The fronts of plane cracks in space as smooth curves: cubic polynomials
-   * between the vertices of the coarse mesh, with the tangent of the circle
-   * through a vertex and its neighbours. The error of an arc is of order 6 in
-   * its angle, of straight fronts there is none. A front is closed or ends at
-   * the boundary of the body.
+   * between the vertices of the coarse mesh. The tangent at a vertex is that of
+   * the circle through it and its neighbours. The error of an arc is of order 6
+   * in its angle; straight fronts are exact. A front is closed or ends at the
+   * boundary of the body.
    */
   class FrontCurve
   {
   public:
-    /** Looks at the coarse mesh, which every rank knows whole.
-     * @param wanted_by the parameter that asks for it.
-     * @throw SceneError if there is no front, or one that branches, leaves its
-     * plane or meets a face at another angle than a right one, or if some
-     * cracks have two lips and others one. */
+    /** Finds the fronts in the coarse mesh, which every rank knows whole.
+     * @param wanted_by the parameter that needs fronts.
+     * @throw SceneError if there is no front, if a front branches, leaves its
+     * plane or does not meet a face at a right angle, or if some cracks have
+     * two lips and others one. */
     FrontCurve(const dealii::Triangulation<3> &mesh,
                const BoundaryRoles            &roles,
                const std::string              &wanted_by);
@@ -60,8 +60,8 @@ namespace Crevasse
       bool                              is_closed = false;
       dealii::Tensor<1, 3>              inward;
       std::vector<dealii::Point<3>>     points;   ///< closed: first = last
-      std::vector<dealii::Tensor<1, 3>> tangents; ///< at these, unit vectors
-      std::vector<double>               arcs;     ///< s of these
+      std::vector<dealii::Tensor<1, 3>> tangents; ///< unit tangents at points
+      std::vector<double>               arcs;     ///< arc lengths s of points
 
       double
       length() const
@@ -70,7 +70,7 @@ namespace Crevasse
       }
     };
 
-    /** Of all cracks: whether the body is modelled on both sides. */
+    /** Whether the body is modelled on both sides of every crack. */
     bool two_lips = false;
 
     const std::vector<Chain> &
@@ -79,7 +79,7 @@ namespace Crevasse
       return all;
     }
 
-    /** Up to which distance, at least, each point has one nearest point of the
+    /** Distance up to which each point has a single nearest point on the
      * fronts: the radius of curvature, or half the distance of two fronts. */
     double
     reach() const;

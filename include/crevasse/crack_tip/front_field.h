@@ -9,12 +9,12 @@
 
 namespace Crevasse
 {
-  /** The moduli of an isotropic body at a crack front, without the factor k. */
+  /** Moduli of an isotropic body at a crack front, without the factor k. */
   struct FrontElasticity
   {
     double young_modulus, poisson_ratio;
 
-    /** M of K² = M G: E' = E/(1 − ν²), and 2μ = E/(1 + ν) of K_III. */
+    /** Modulus M of K² = M G: E' = E/(1 − ν²), or 2μ = E/(1 + ν) for K_III. */
     double
     modulus(const CrackMode mode) const
     {
@@ -24,13 +24,12 @@ namespace Crevasse
     }
   };
 
-  /** What FrontIntegral multiplies at a point, in the coordinates of the mesh.
-   */
+  /** Factors of FrontIntegral at a point, in coordinates of the mesh. */
   struct FrontField
   {
-    VoigtVector<3>       of_stress; ///< M (ε(w) − S τ), with shears twofold
-    VoigtVector<3>       of_strain; ///< M τ
-    dealii::Tensor<1, 3> of_force;  ///< M w
+    VoigtVector<3>       of_stress; ///< M (ε(w) − S τ), shears twofold
+    VoigtVector<3>       of_strain; ///< factor M τ of strain
+    dealii::Tensor<1, 3> of_force;  ///< factor M w of force
 
     void
     add(const double factor, const FrontField &other)
@@ -41,8 +40,8 @@ namespace Crevasse
     }
   };
 
-  /** The auxiliary fields of FrontIntegral for one mode; half of them around
-   * fronts with two lips. */
+  /** Auxiliary fields of FrontIntegral for one mode; halved around fronts with
+   * two lips. */
   struct FrontFields
   {
     CrackMode       mode;
@@ -50,23 +49,22 @@ namespace Crevasse
     FrontElasticity elasticity;
     SquareWeight    weight;
 
-    /** For h = 1 and for its slope. @param frame not on the front. */
+    /** Fields for h = 1 and for its slope. @param frame not on the front. */
     std::pair<FrontField, FrontField>
     at(const FrontFrame &frame) const;
 
-    /** M u^B, along ahead, inward and tangent. Where Y = ±0 its sign tells the
-     * lip. */
+    /** Displacement M u^B, along ahead, inward and tangent. On the lips, Y =
+     * ±0, the sign of Y tells the lip. */
     dealii::Tensor<1, 3>
     displacement(const FrontFrame &frame) const;
 
   private:
-    /** τ in parts, along ahead, inward and tangent: τ = Q σ^B + rest for h = 1,
-     * and of its slope. */
+    /** Parts of τ, along ahead, inward and tangent: τ = Q σ^B + rest for h = 1,
+     * and the factor of the slope of h. */
     struct Stress
     {
       dealii::SymmetricTensor<2, 3> of_field, rest, of_slope;
-      /** That along the front in the stress of ε^B, which τ has not, times Q.
-       */
+      /** Stress of ε^B along the front times Q, which τ does not contain. */
       double along_front = 0.;
     };
 
@@ -76,9 +74,9 @@ namespace Crevasse
     antiplane(const FrontFrame &frame) const;
   };
 
-  /** A symmetric tensor with components along ahead, inward and tangent as a
-   * vector in the coordinates of the mesh.
-   * @param of_shear by what shears are multiplied. */
+  /** Converts a symmetric tensor with components along ahead, inward and
+   * tangent to a vector in the coordinates of the mesh.
+   * @param of_shear factor of shears. */
   VoigtVector<3>
   to_mesh(const FrontFrame                    &frame,
           const dealii::SymmetricTensor<2, 3> &local,

@@ -12,9 +12,9 @@
 namespace Crevasse
 {
   /**
-   * K_I along the fronts of plane cracks as linear functions of the stress, and
-   * K_II or K_III of cracks with two lips: the InteractionIntegral in Betti's
-   * form, in the coordinates X, Y, s of the front. For each vertex of the
+   * Computes K_I along plane cracks' fronts as linear functions of the stress,
+   * and K_II or K_III of cracks with two lips, by the InteractionIntegral in
+   * Betti's form, in coordinates X, Y, s of the front. For each vertex of the
    * front, with its hat function h(s), SquareWeight Q(X,Y) and q = h Q,
    *
    *     ∫ K h ds = M ∫ [s:ε(w) − (S s + ε*):τ − b·w] dV
@@ -34,20 +34,20 @@ namespace Crevasse
    *     τ_at = A_XY − k A_Y/g,   τ_nt = −(A_X + k A/g)_X,
    *     τ_aa = −2 A_Ys/g,        τ_an = (A_X + k A/g)_s/g.
    *
-   * So τ is in equilibrium and leaves the lips free however the front curves
-   * and q varies: no term is left out, as those are that correct usual
-   * auxiliary fields for curvature (Gosz, Moran, Eng. Fract. Mech. 69, 2002);
-   * but for K_III the derivative of k along the front. ε(w) is the strain with
-   * the metric g. At the ends of a front, where w and τ of K_III do work, it is
-   * extrapolated from the vertices beside, or 0 on planes of symmetry.
+   * So τ is in equilibrium and leaves the lips free for any curvature of the
+   * front and any q. No terms that correct auxiliary fields for curvature are
+   * missing (Gosz, Moran, Eng. Fract. Mech. 69, 2002), except for K_III the
+   * derivative of k along the front. ε(w) is the strain with the metric g. At
+   * the ends of a front, where w and τ of K_III do work, K_III is extrapolated
+   * from the neighbouring vertices, or 0 on planes of symmetry.
    *
-   * S s + ε* has to be compatible: the body is elastic, isotropic and the same
-   * in the tube, or creeps with η = τ K and without free strain.
+   * S s + ε* must be compatible: in the tube, the body is elastic, isotropic
+   * and homogeneous, or creeps with η = τ K and without free strain.
    */
   class FrontIntegral
   {
   public:
-    /** Collective. All arguments must outlive this object.
+    /** Collective. The arguments must outlive the FrontIntegral.
      * @param fields with a weight whose radius is at most
      * FrontRegion::largest_radius. */
     FrontIntegral(const Body<3>        &body,
@@ -56,7 +56,7 @@ namespace Crevasse
                   const FrontFields    &fields);
 
     /** K at the vertices of the front. Collective.
-     * @param t within the period. @param material of that. */
+     * @param t within the period. @param material at the instant t. */
     std::vector<double>
     values(const double            t,
            const Sample           &sample,
@@ -65,7 +65,7 @@ namespace Crevasse
     const FrontFields fields;
 
   private:
-    /** Times the share of the volume. */
+    /** Factors at a quadrature point, times its share of the volume. */
     struct Kernel : FrontField
     {
       unsigned int     vertex = 0;
@@ -75,15 +75,15 @@ namespace Crevasse
 
     void
     integrate_over_cells();
-    /** @return what a uniform stress that the lips bear gives, by vertex; of
-     * all ranks. */
+    /** Returns, by vertex, the factors of a uniform stress that the lips of all
+     * ranks bear. */
     std::vector<VoigtVector<3>>
     integrate_over_lips();
-    /** A uniform free strain contributes nothing, and a uniform stress what the
-     * lips do, to rounding: the rules in cells are not exact. */
+    /** Makes a uniform free strain contribute nothing, and a uniform stress as
+     * much as the lips, to rounding: the rules in cells are not exact. */
     void
     balance(const std::vector<VoigtVector<3>> &lips);
-    /** Its components at a vertex that do work nowhere but on the lips. */
+    /** Components of a stress factor that do work at a vertex on lips only. */
     VoigtVector<3>
     what_lips_bear(const unsigned int v, const VoigtVector<3> &of_stress) const;
 
@@ -92,7 +92,7 @@ namespace Crevasse
 
     std::vector<std::pair<unsigned int, Expression>> body_force;
     std::vector<Kernel>                              kernels;
-    /** Of a node of the lip, by vertex of the front. */
+    /** Vertex of the front, node of the lip, factor of its contact force. */
     std::vector<std::tuple<unsigned int, std::size_t, double>>
       of_contact_forces;
   };

@@ -12,7 +12,7 @@
 namespace Crevasse
 {
   /** The vertices of a mesh on the crack front, and the tube around it, in
-   * which the body ends nowhere but at the lips, the plane of symmetry and the
+   * which the body has no boundary but the lips, the plane of symmetry and the
    * planes across the ends of the front. Distances are max(|X|, |Y|). */
   class FrontRegion
   {
@@ -23,15 +23,15 @@ namespace Crevasse
 
     const FrontCurve curve;
 
-    /** One of the active mesh, hanging or not. */
+    /** Vertex of the active mesh on the front, hanging or not. */
     struct Vertex
     {
       dealii::Point<3> point;
       unsigned int     chain;
       double           s; ///< arc length
-      /** To the neighbours on the front; 0: there is none. */
+      /** Distances to the neighbours on the front; 0: no neighbour. */
       double before, after;
-      bool   on_symmetry; ///< where the front ends
+      bool   on_symmetry; ///< on a plane of symmetry
 
       bool
       is_end() const
@@ -39,7 +39,7 @@ namespace Crevasse
         return before == 0. || after == 0.;
       }
 
-      /** Of the hat function. */
+      /** Integral of the vertex' hat function. */
       double
       integral() const
       {
@@ -47,22 +47,22 @@ namespace Crevasse
       }
     };
 
-    std::vector<Vertex> vertices; ///< by chain and s, on all ranks the same
+    std::vector<Vertex> vertices; ///< by chain and s, same on all ranks
 
-    /** A hat function of a vertex somewhere, and its derivative. */
+    /** Value of a vertex' hat function at a point, and its derivative. */
     struct Hat
     {
       unsigned int vertex;
       double       value, slope;
     };
 
-    /** Those two that are not 0 there. */
+    /** The two hat functions that do not vanish at a point. */
     std::array<Hat, 2>
     hats(const FrontFrame &frame) const;
 
     using Cell = dealii::Triangulation<3>::active_cell_iterator;
 
-    /** Whether a cell may reach into the tube of this size. */
+    /** Whether a cell may overlap the tube of this size. */
     bool
     is_near(const Cell &cell, const double size) const
     {
@@ -77,16 +77,16 @@ namespace Crevasse
       return at_front[cell->active_cell_index()];
     }
 
-    double cell_radius  = 0.; ///< of the cells at the front
-    double largest_edge = 0.; ///< between vertices of the front
+    double cell_radius  = 0.; ///< size of cells at the front
+    double largest_edge = 0.; ///< longest edge of the front
 
-    /** Where another boundary begins, or half the radius of curvature. */
+    /** Largest tube: to another boundary, or half the radius of curvature. */
     double largest_radius = 0.;
 
   private:
     const std::string   wanted_by;
-    std::vector<double> distances; ///< of centers, by active cell index
-    std::vector<bool>   at_front;  ///< likewise
+    std::vector<double> distances; ///< distance of cell centres, by index
+    std::vector<bool>   at_front;  ///< cells at the front, by index
 
     void
     find_vertices(const Space<3> &space);

@@ -9,20 +9,19 @@
 
 namespace Crevasse
 {
-  /** Where a crack with K_I and K_II grows, by the criterion of the largest
-   * hoop stress (Erdogan, Sih, J. Basic Eng. 85, 1963):
+  /** Direction in which a crack with K_I and K_II grows, by the criterion of
+   * the largest hoop stress (Erdogan, Sih, J. Basic Eng. 85, 1963):
    *
    *     tan θ/2 = (K_I − √(K_I² + 8 K_II²)) / (4 K_II),
    *     K       = cos θ/2 (K_I cos² θ/2 − 3/2 K_II sin θ).
    *
-   * A crack that is pressed together has K_I = 0.
-   */
+   * A closed crack has K_I = 0. */
   struct GrowthDirection
   {
     GrowthDirection(const double K_I, const double K_II)
     {
       const double opening = std::max(K_I, 0.);
-      // The same tangent, without cancellation.
+      // The formula for tan θ/2, rewritten without cancellation.
       angle               = 0. - 2. * std::atan2(2. * K_II,
                                    opening + std::sqrt(opening * opening +
                                                        8. * K_II * K_II));
@@ -31,11 +30,12 @@ namespace Crevasse
         cosine * (opening * cosine * cosine - 1.5 * K_II * std::sin(angle));
     }
 
-    double angle;     ///< θ, from straight ahead, counter-clockwise
-    double intensity; ///< K, of mode I with the same hoop stress
+    double angle;     ///< angle θ from ahead, counter-clockwise
+    double intensity; ///< K of mode I with the same hoop stress
   };
 
-  /** The angle, as θ above, at which a short kink releases the most energy:
+  /** Angle from straight ahead, counter-clockwise, of a short kink with the
+   * largest energy release,
    *
    *     G ∝ k₁² + k₂²,      kᵢ = Fᵢ₁ K_I + Fᵢ₂ K_II
    *

@@ -14,14 +14,14 @@
 
 namespace Crevasse
 {
-  /** What the tip of a crack has seen in the last period. */
+  /** History of a crack tip in the last period. */
   struct TipHistory
   {
-    std::vector<double>   instants;       ///< from 0 to the period
-    std::vector<double>   intensity;      ///< K_I, or what is equivalent
-    std::vector<double>   creep_integral; ///< C(t) at these; nan: not known
-    std::optional<double> c_star; ///< C* of the steady flow, if it is known
-    /** ΔK, with K_I < 0 counted as 0. */
+    std::vector<double>   instants;       ///< instants from 0 to the period
+    std::vector<double>   intensity;      ///< K_I, or an equivalent K
+    std::vector<double>   creep_integral; ///< C(t) at instants; nan: unknown
+    std::optional<double> c_star;         ///< C* of the steady flow, if known
+    /** Range ΔK, with K_I < 0 counted as 0. */
     double range = std::numeric_limits<double>::quiet_NaN();
 
     double
@@ -31,14 +31,14 @@ namespace Crevasse
     }
   };
 
-  /** For the log and the summary; empty without a law. */
+  /** Describes the law for log and summary; empty without a law. */
   std::string
   describe_growth_law(const CrackTipParameters &law);
 
   /**
-   * Adds to the summary of a tip, and to the log, by what length the crack
-   * grows over the period; nothing without a law. The length is the sum of the
-   * parts that the law has:
+   * Adds the growth of the crack over the period to the summary of a tip, and
+   * to the log; nothing without a law. The growth is the sum of the parts of
+   * the law:
    *
    * - da/dN = C (ΔK − ΔK_th)^m above the threshold (Paris, Erdogan, J. Basic
    *   Eng. 85, 1963; with a threshold: Donahue et al., Int. J. Fract. Mech. 8,
@@ -48,10 +48,10 @@ namespace Crevasse
    *   jump, it is taken to be what it is next, in the next period if need be;
    *   before one, what it was last.
    *
-   * It is nan if the history lacks what the law needs. A crack that is pressed
-   * together has K = 0, and one that is pushed shut C(t) = 0.
+   * Growth is nan if the history lacks data that the law needs. A closed crack
+   * has K = 0, and a crack that is being closed C(t) = 0.
    *
-   * @param title of the line. */
+   * @param title of the line in the log. */
   void
   summarise_growth(const CrackTipParameters &law,
                    const TipHistory         &history,
@@ -59,7 +59,7 @@ namespace Crevasse
                    Summary                  &tip,
                    Log                      &log);
 
-  /** Whether it is driven by C*. */
+  /** Whether the law depends on C*. */
   bool
   needs_c_star(const CrackTipParameters &law);
 } // namespace Crevasse

@@ -13,13 +13,13 @@
 namespace Crevasse
 {
   /**
-   * The stress intensity factor K_I as a linear function of the stress and of
-   * the strain without stress, by the interaction integral (Yau, Wang, Corten,
-   * J. Appl. Mech. 47, 1980) of the half body above the crack, in the form of
-   * Betti's theorem. Where the tip has two lips it is half the integral over
-   * both sides, and gives K_II likewise, with the auxiliary field of K_II = 1:
-   * along straight lips this has no displacement across them, so that p does
-   * not enter. With the auxiliary field of K_I = 1, differentiated along
+   * Computes the stress intensity factor K_I as a linear function of the stress
+   * and of the strain without stress, by the interaction integral (Yau, Wang,
+   * Corten, J. Appl. Mech. 47, 1980) of the half body above the crack, in the
+   * form of Betti's theorem. If the tip has two lips, K_I is half the integral
+   * over both sides, and K_II follows with the auxiliary field of K_II = 1,
+   * which has no displacement across straight lips, so that their pressure p
+   * does not enter. With the auxiliary field of K_I = 1, differentiated along
    * the crack (σ^B ~ r^(−3/2), displacement u^B, stress function φ^B ~ √r), and
    * a weight q,
    *
@@ -29,47 +29,47 @@ namespace Crevasse
    *         = ∫ s:N dA − E' ∫ [(S − S_tip) s + ε*]:τ dA − …,
    *     N   = E' (sym(∇q ⊗ u^B) − S_tip τ′).
    *
-   * S is the compliance in the plane and ε* the strain without stress; τ is in
-   * equilibrium and leaves the lip free, so that compatible strains such as a
-   * uniform one contribute nothing. No derivative of moduli or strains occurs:
-   * they may vary and jump (the "incompatibility formulation": Dolbow, Gosz,
-   * Int. J. Solids Struct. 39, 2002; Kim, Paulino, J. Appl. Mech. 72, 2005).
+   * S is the compliance in the plane and ε* the strain without stress. τ is in
+   * equilibrium and leaves the lip free, so compatible strains, e.g. uniform
+   * ones, contribute nothing. No derivative of moduli or strains occurs: they
+   * may vary and jump (the "incompatibility formulation": Dolbow, Gosz, Int. J.
+   * Solids Struct. 39, 2002; Kim, Paulino, J. Appl. Mech. 72, 2005).
    *
-   * Viscous strain is as singular as the stress, and its product with τ only
-   * conditionally integrable. But where the creep is isotropic and the same
-   * everywhere, it is compatible like S_tip s. So only what it does outside a
-   * square in which it is so enters, with τ of q less τ of the smaller square's
-   * weight; around a tip where the creep varies, the error of doing so is
-   * linear in the size a of this square, and 2 K_I(a) − K_I(2a) is taken.
+   * Viscous strain is as singular as the stress, and its product with τ is only
+   * conditionally integrable. But where creep is isotropic and uniform, viscous
+   * strain is compatible like S_tip s. So only viscous strain outside a square
+   * of size a with uniform creep enters, by τ of q minus τ of the smaller
+   * square's weight. If creep varies at the tip, the error is linear in a, and
+   * 2 K_I(a) − K_I(2a) is used.
    *
-   * Of a body of revolution the crack front is a circle, and the fields are
-   * those of FrontFields there: τ is in equilibrium on rings, and all that they
-   * lack to a solution is in N, with the hoops. Integrals are those of a
-   * radian, divided by the radius of the front. N then depends on κ in another
-   * way, so that there is one κ.
+   * In a body of revolution the crack front is a circle, with the fields of
+   * FrontFields: τ is in equilibrium on rings, and N, with hoop components,
+   * contains what the fields lack to a solution. Integrals are over one radian,
+   * divided by the radius of the front. N then depends on κ in another way, so
+   * a single κ is supported.
    *
    * The weight q is SquareWeight in the square |X| ≤ R, 0 ≤ Y ≤ R, or
-   * |Y| ≤ R. In cells
-   * of the usual rule N and τ are projected to the polynomials through its
-   * points, so that a polynomial stress is integrated exactly. By Betti's
-   * theorem the error of K_I is the square of that of the energy norm's.
+   * |Y| ≤ R. In cells of the usual rule N and τ are projected to the
+   * polynomials through its points, so that a polynomial stress is integrated
+   * exactly. By Betti's theorem the error of K_I is of the order of the squared
+   * error in the energy norm.
    */
   class InteractionIntegral
   {
   public:
-    /** Squares, by half their side. */
+    /** Squares around the tip, given by half their side. */
     struct Squares
     {
-      double size; ///< R, at most TipRegion::largest_radius()
-      /** a, within which viscous strain does not enter; R: nowhere does it. */
+      double size; ///< R ≤ TipRegion::largest_radius()
+      /** Size a of a square whose viscous strain is left out; R: all is. */
       double creep;
-      /** Whether creep varies within it. */
+      /** Whether creep varies in the square of size a. */
       bool extrapolates;
-      /** In a body of revolution that of the tip, else 0. */
+      /** κ at the tip of a body of revolution; otherwise 0. */
       double kappa_of_ring = 0.;
     };
 
-    /** Collective. All arguments must outlive this object. */
+    /** Collective. The arguments must outlive the InteractionIntegral. */
     InteractionIntegral(const Body<2>        &body,
                         const PointGeometry  &points,
                         const TipRegion      &region,
@@ -77,26 +77,26 @@ namespace Crevasse
                         const LoadParameters &loads,
                         const Squares        &squares);
 
-    /** K of an instant. Collective.
+    /** K at an instant. Collective.
      * @param t within the period.
-     * @param material of this instant.
-     * @param at_tip its stiffness there, without the factor k. */
+     * @param material at this instant.
+     * @param at_tip stiffness at the tip, without the factor k. */
     double
     value(const double            t,
           const Sample           &sample,
           const MaterialState<2> &material,
           const PlaneElasticity  &at_tip) const;
 
-    /** K = ∫ s:N dA + ∫_lip …, of a body that is the same everywhere in the
-     * square and bears neither free strain nor body force there: elastic, or
-     * viscous with the stress of a flow. Collective. */
+    /** K = ∫ s:N dA + ∫_lip … for a homogeneous body without free strain or
+     * body force in the square: elastic, or viscous with the stress of a flow.
+     * Collective. */
     double
     of_uniform_body(const Vector              &stress,
                     const std::vector<double> &contact_forces,
                     const double               kappa) const;
 
   private:
-    /** What is multiplied at a point, times its share of the area. */
+    /** Factors at a quadrature point, times its share of the area. */
     struct Kernel
     {
       std::size_t    point = 0;
@@ -117,16 +117,16 @@ namespace Crevasse
     AuxiliaryField
     field_at(const dealii::Point<2> &point, const SquareWeight &weight) const;
 
-    /** A uniform strain contributes nothing, to rounding: the rules in the
+    /** Makes a uniform strain contribute nothing, to rounding: the rules in the
      * cells at the tip are not exact. */
     void
     balance();
 
-    /** Of all components of the body force at an instant. */
+    /** Contribution of the body force at an instant. */
     double
     of_body_force(const double t, const double kappa) const;
 
-    /** What moduli that vary, thermal strain and creep add, on this rank. */
+    /** Contribution, on this rank, of varying moduli, thermal strain, creep. */
     double
     of_variation(const Sample           &sample,
                  const MaterialState<2> &material,
@@ -140,7 +140,7 @@ namespace Crevasse
     const double                                     kappa_of_ring;
     std::vector<std::pair<unsigned int, Expression>> body_force;
     std::vector<Kernel>                              kernels;
-    bool                has_creep = false; ///< whether viscous strain enters
+    bool                has_creep = false; ///< viscous strain enters
     std::vector<double> of_contact_forces;
   };
 } // namespace Crevasse

@@ -10,14 +10,14 @@
 
 namespace Crevasse
 {
-  /** For a cell of rule 0: the polynomials through its points, at those of a
-   * rule that is fine enough for their product with the kernel of an
-   * interaction integral. */
+  /** For cells with quadrature rule 0: evaluates the polynomials through its
+   * points at the points of a rule fine enough for the product of polynomials
+   * with the kernel of an interaction integral. */
   template <int dim>
   class KernelRules
   {
   public:
-    /** @param fine for cells at the tip or front. */
+    /** @param usual rule for most cells. @param fine at the tip or front. */
     KernelRules(const Space<dim>              &space,
                 const dealii::Quadrature<dim> &usual,
                 const dealii::Quadrature<dim> &fine)
@@ -27,14 +27,14 @@ namespace Crevasse
     {
     }
 
-    /** Of rule 0. */
+    /** Number of points per direction of quadrature rule 0. */
     static unsigned int
     points_per_direction(const Space<dim> &space)
     {
       return std::lround(std::pow(space.quadratures[0].size(), 1. / dim));
     }
 
-    /** @param is_at_tip whether the kernel grows in the cell like r^(−3/2). */
+    /** Evaluates a cell. @param is_at_tip whether the kernel is ~ r^(−3/2). */
     const dealii::FEValues<dim> &
     reinit(
       const typename dealii::Triangulation<dim>::active_cell_iterator &cell,

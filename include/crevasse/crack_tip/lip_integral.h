@@ -9,9 +9,9 @@
 
 namespace Crevasse
 {
-  /** The part of the interaction integral that the pressure p on the lip at the
-   * tip has, ∫ 2 p q / √(2πr) ds, as factors of the contact forces of the lip's
-   * local nodes. */
+  /** Contribution ∫ 2 p q / √(2πr) ds of the pressure p on the lip to the
+   * interaction integral, as factors of the contact forces of the lip's local
+   * nodes. */
   std::vector<double>
   lip_integral(const Body<2>      &body,
                const CrackTip     &tip,

@@ -9,8 +9,8 @@
 
 namespace Crevasse
 {
-  /** From the tip to the last open node of its lip before the first closed one;
-   * 0 if the first node is closed; very large if none is. Collective. */
+  /** Distance of the tip to the last open node of its lip before the first
+   * closed one; 0 if the first is closed; very large if none is. Collective. */
   double
   open_length(const ContactBoundary<2> &lip,
               const CrackTip           &tip,
@@ -19,13 +19,13 @@ namespace Crevasse
 
 
 
-  /** Fits to smaller and smaller discs around the tip, as far as there are
-   * data, of which the largest serves that reaches over no closed part of the
-   * lip: near its end the pressure is no straight line. */
+  /** WilliamsFits to smaller and smaller discs around the tip, as far as there
+   * are data. The largest disc without a closed part of the lip is used: near
+   * the end of contact the pressure is not linear. */
   class NestedFits
   {
   public:
-    /** Collective.
+    /** Makes the fits. Collective.
      *
      * @param radius of the largest disc. */
     NestedFits(const PointGeometry      &points,
@@ -34,14 +34,14 @@ namespace Crevasse
                const double              radius,
                const MPI_Comm            communicator);
 
-    /** The first fit whose disc ends within this length of the lip, or else
-     * the smallest; the first if it is 0. */
+    /** First fit whose disc ends within @p open_length of the lip, or the
+     * smallest; the first fit if @p open_length is 0. */
     const WilliamsFit &
     within(const double open_length) const;
 
   private:
-    std::vector<WilliamsFit> fits;  ///< the largest disc first
-    std::vector<double>      radii; ///< of them
+    std::vector<WilliamsFit> fits;  ///< fits, largest disc first
+    std::vector<double>      radii; ///< radii of the discs
   };
 } // namespace Crevasse
 

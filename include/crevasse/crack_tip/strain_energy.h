@@ -11,19 +11,19 @@
 namespace Crevasse
 {
   /**
-   * The energy that the springs of the material have stored in the modelled
-   * part of the body (in half of it above a crack), per thickness:
+   * Energy in the springs of the material in the modelled part of the body
+   * (half of it above a crack), per thickness:
    *
    *     ½ ∫ s:(kK)⁻¹s  for one Maxwell body or an elastic one,
    *     ½ ∫ Σ wᵢ εᵢ:kK εᵢ,   εᵢ = (kK)⁻¹s + Σ wⱼrⱼ − rᵢ  for a chain,
    *
-   * the spring of a chain being a branch with r = 0. It is less than what was
-   * put in by what was dissipated.
+   * where the spring of a chain has r = 0. It is the work minus the
+   * dissipation.
    */
   class StrainEnergy
   {
   public:
-    /** Collective. Both must outlive this object. */
+    /** Collective. The arguments must outlive the StrainEnergy. */
     StrainEnergy(const MaterialField<2> &material, const PointGeometry &points)
       : points(points)
       , constant_compliance(
@@ -33,7 +33,7 @@ namespace Crevasse
     {
     }
 
-    /** Collective. @param state the material of the instant. */
+    /** Computes the energy. Collective. @param state at the instant. */
     double
     value(const MaterialState<2> &state,
           const Vector           &stress,
@@ -90,7 +90,7 @@ namespace Crevasse
     }
 
     const PointGeometry          &points;
-    const std::optional<Matrices> constant_compliance; ///< if it is constant
+    const std::optional<Matrices> constant_compliance; ///< if constant
   };
 } // namespace Crevasse
 

@@ -11,21 +11,21 @@
 
 namespace Crevasse
 {
-  /** Where the quadrature points of this rank are, in the order of a
-   * QuadratureField. The one place around the crack tip that knows by which
-   * rule the fields live at points. */
+  /** Positions, weights and cells of this rank's quadrature points, in the
+   * order of a QuadratureField. Only this class, among those at the crack tip,
+   * knows the quadrature rule of fields at points. */
   struct PointGeometry
   {
     PointGeometry(const Space<2> &space, const QuadratureField<2> &points);
 
     std::vector<dealii::Point<2>> location;
-    std::vector<double>           weight; ///< JxW
+    std::vector<double>           weight; ///< weight JxW
     std::vector<unsigned int>     cell;   ///< active cell index
   };
 
 
 
-  /** For the summary. */
+  /** Position and direction of a tip, for the summary. */
   inline Summary
   place_of(const CrackTip &tip)
   {
@@ -36,70 +36,69 @@ namespace Crevasse
 
 
   /**
-   * The surroundings of a crack tip, in which the body ends nowhere but at its
-   * lips and the plane of symmetry, and no other tip is. Distances are
-   * max(|X|, |Y|): they belong to squares |X| ≤ R, 0 ≤ Y ≤ R, or |Y| ≤ R where
-   * the tip has two lips.
+   * The surroundings of a crack tip, in which the body has no boundary but its
+   * lips and the plane of symmetry, and no other tip. Distances are max(|X|,
+   * |Y|): they belong to squares |X| ≤ R, 0 ≤ Y ≤ R, or |Y| ≤ R where the tip
+   * has two lips.
    */
   class TipRegion
   {
   public:
     /** Collective.
-     * @throw SceneError if another boundary begins within the cells at the tip.
-     */
+     * @throw SceneError if another boundary begins in the cells at the tip. */
     TipRegion(const Space<2> &space, const CrackTip &tip);
 
     const CrackTip tip;
 
-    /** Where another boundary begins, or another tip is. */
+    /** Distance of the tip to another boundary or another tip. */
     double
     largest_radius() const
     {
       return end;
     }
 
-    /** What a stiffness or viscosity is in the cells at the tip, and where it
-     * is no more that, at most largest_radius(); 0 if it differs within these
-     * cells or is not isotropic in the plane there. */
+    /** A stiffness or viscosity in the cells at the tip, and the size of the
+     * square in which it is uniform, at most largest_radius(); 0 if it varies
+     * in these cells or is not isotropic in the plane. */
     struct Uniform
     {
       VoigtMatrix<2> matrix;
       double         radius;
     };
 
-    /** Collective. */
+    /** Finds where given matrices are uniform. Collective. */
     Uniform
     uniform(const PointGeometry               &points,
             const PointValues<VoigtMatrix<2>> &matrices) const;
 
-    /** The aligned_radius() of what the scene wants for squares.
-     * @param wish its [Crack tip] Radius.
-     * @param most where something ends.
-     * @throw SceneError if the wish is more, or within the cells at the tip. */
+    /** The aligned_radius() of the size that the scene asks for.
+     * @param wish [Crack tip] Radius of the scene.
+     * @param most largest size allowed.
+     * @throw SceneError if the wish is larger or in the cells at the tip. */
     double
     square(const double wish, const double most) const;
 
-    /** Of the cells that have the tip as a vertex. */
+    /** Size of the cells that have the tip as a vertex. */
     double cell_radius = 0.;
 
-    /** The largest square that cuts no cell, half to once this size; this
-     * size if each of those cuts one. */
+    /** Size of the largest square that cuts no cell, from half of @p at_most
+     * on; @p at_most if all these squares cut cells. */
     double
     aligned_radius(const double at_most) const;
 
-    /** From where to where a cell reaches. */
+    /** Least and largest distance of a cell from the tip. */
     using Interval = std::pair<double, double>;
 
-    /** That of a cell of this rank, by its active cell index; from 0 on at the
-     * tip. */
+    /** Interval of a cell of this rank, by its active cell index; it begins
+     * with 0 at the tip. */
     const Interval &
     reach(const unsigned int cell) const
     {
       return cells[cell];
     }
 
-    /** Of a square that cuts cells, or does not but for rounding. Collective.
-     */
+    /** Weight of a square; its exponent depends on whether it cuts cells.
+     * Collective. */
     SquareWeight
     weight(const double size) const;
 
@@ -110,7 +109,7 @@ namespace Crevasse
     find_boundaries(const Space<2> &space);
 
     const MPI_Comm        communicator;
-    std::vector<Interval> cells; ///< by active cell index
+    std::vector<Interval> cells; ///< intervals by active cell index
     double                end = 0.;
   };
 } // namespace Crevasse

@@ -10,24 +10,25 @@
 namespace Crevasse
 {
   /**
-   * The stress intensity factor K_I as a linear function of the stress at the
-   * quadrature points: Williams' series with n = 1 … N is fitted, by least
-   * squares over area, to the stress in the half discs r ≤ R and r ≤ 2R, and
+   * Computes the stress intensity factor K_I as a linear function of the stress
+   * at the quadrature points: Williams' series with n = 1 … N is fitted, by
+   * least squares over area, to the stress in the half discs r ≤ R and r ≤ 2R,
+   * and
    *
    *     K_I = 2 K(R) − K(2R).
    *
-   * The extrapolation takes away what grows with R, as the stress between parts
-   * that creep differently does. Nothing needs to be elastic.
+   * The extrapolation removes errors linear in R, e.g. of the stress between
+   * parts that creep differently. The body need not be elastic.
    *
-   * The series knows no pressure on the lip: a straight line p₀ + p₁r is fitted
-   * to that of the contact forces, and the stress −(p₀ − p₁X) e₂ ⊗ e₂, which
-   * has it, is taken from the stress before. (As unknowns of the fit such terms
-   * would ruin it: that an open lip bears nothing is most of what is known.)
+   * The series has no pressure on the lip: a straight line p₀ + p₁r is fitted
+   * to the pressure of the contact forces, and its stress −(p₀ − p₁X) e₂ ⊗ e₂
+   * is subtracted before the fit. (These terms as unknowns would ruin the fit,
+   * which mainly relies on an open lip being free.)
    */
   class WilliamsFit
   {
   public:
-    /** Collective.
+    /** Fits the series. Collective.
      *
      * @param radius 2R, of the larger disc. */
     WilliamsFit(const PointGeometry      &points,
@@ -36,7 +37,7 @@ namespace Crevasse
                 const double              radius,
                 const MPI_Comm            communicator);
 
-    /** K_I. Collective. */
+    /** Computes K_I. Collective. */
     double
     value(const Vector &stress, const std::vector<double> &contact_forces) const
     {
@@ -44,7 +45,7 @@ namespace Crevasse
              apply(large, stress, contact_forces);
     }
 
-    /** K(R) − K(2R): what the extrapolation adds. Collective. */
+    /** K(R) − K(2R), which the extrapolation adds. Collective. */
     double
     correction(const Vector              &stress,
                const std::vector<double> &contact_forces) const
@@ -53,7 +54,7 @@ namespace Crevasse
              apply(large, stress, contact_forces);
     }
 
-    /** The least radius whose half disc has enough points for all terms.
+    /** Least radius whose half disc has enough points for all terms.
      * Collective. */
     static double
     least_radius(const PointGeometry &points,
@@ -61,15 +62,15 @@ namespace Crevasse
                  const MPI_Comm       communicator);
 
   private:
-    /** What the stress at a point, at this local index, contributes. */
+    /** Factor of the stress at a point, with the point's local index. */
     using Row = std::pair<std::size_t, VoigtVector<2>>;
 
-    /** K as a linear function. */
+    /** K of a disc as a linear function of stress and contact forces. */
     struct Disc
     {
       double              radius;
       std::vector<Row>    of_stress;
-      std::vector<double> of_contact_forces; ///< for each local lip node
+      std::vector<double> of_contact_forces; ///< for local lip nodes
     };
 
     Disc
@@ -78,8 +79,7 @@ namespace Crevasse
         const TipRegion          &region,
         const double              radius) const;
 
-    /** What the rows of a disc make of the stress of p₀ = 1, and of p₁ = 1/R.
-     */
+    /** K by the rows of a disc for the stress of p₀ = 1, and of p₁ = 1/R. */
     dealii::Tensor<1, 2>
     of_pressure(const PointGeometry &points,
                 const CrackTip      &tip,

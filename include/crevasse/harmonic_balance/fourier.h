@@ -15,18 +15,18 @@
 namespace Crevasse
 {
   /**
-   * The periodic state without marching: direct Fourier treatment in time (the
+   * Finds the periodic state by harmonic balance: a Fourier series in time (the
    * paper's Remark 1; model, §2 and §3). K and H do not depend on time, so each
    * harmonic n of the loads is a problem of its own,
    *
    *     A*ₙ qₙ = Fₙ + ∫ Dᵀ k K*ₙ χθₙ + Lᵀ gₙ,     rᵢₙ = Hᵢ sᵢₙ / (η₀ zₙ),
    *
    * with the ComplexModuli K*ₙ and the zₙ of Harmonics. Only the contact forces
-   * tie them together: they are found on the lip alone, as a
-   * PeriodicContactProblem. The mean stress is that of the secular flow,
-   * s̄ᵢ = η₀ ηᵢ Dβ. Only the lip bounds the mean of the displacement: it
-   * takes the offsets of the contact problem, or what keeps other nodes from
-   * penetrating, and in the body what costs least elastic energy.
+   * couple the harmonics; they follow from a PeriodicContactProblem on the lip.
+   * The mean stress is that of the secular flow, s̄ᵢ = η₀ ηᵢ Dβ. Only the lip
+   * bounds the mean of the displacement: on the lip it is the offsets of the
+   * contact problem, or what keeps unloaded nodes from penetrating; in the body
+   * it has the least elastic energy.
    */
   template <int dim>
   class Fourier
@@ -35,7 +35,7 @@ namespace Crevasse
     using ContactMethod =
       std::function<PeriodicContactSolution(const PeriodicContactProblem &)>;
 
-    /** Samples loads and thermal strain. All arguments must outlive this
+    /** Samples loads and thermal strain. The arguments must outlive the Fourier
      * object. Collective.
      *
      * @param body whose K and H do not depend on time, without a singular H.
@@ -45,8 +45,7 @@ namespace Crevasse
             const Harmonics &harmonics,
             LinearSolver    &linear_solver);
 
-    /** The mean of the samples divided by η₀: the load of the secular
-     * problem. */
+    /** Mean of the load samples divided by η₀: load of the secular problem. */
     Vector
     mean_load() const
     {
@@ -55,7 +54,7 @@ namespace Crevasse
       return mean;
     }
 
-    /** The load that counts as none beside the samples, divided by η₀. */
+    /** Size of a load, divided by η₀, that is rounding of the samples. */
     double
     negligible_load() const
     {
@@ -63,9 +62,9 @@ namespace Crevasse
       return rounding * largest_load / material.viscosity_factor;
     }
 
-    /** Collective.
+    /** Solves all harmonics, with contact. Collective.
      *
-     * @param flow that mean_load() causes; null: that load vanishes.
+     * @param flow caused by mean_load(); null: that load vanishes.
      * @param solve_contact called if a node bears a mean force, on all ranks
      * with the same problem.
      * @param memory for complex factors, in bytes, of all ranks.
@@ -79,7 +78,7 @@ namespace Crevasse
   private:
     using Complex = std::complex<double>;
 
-    /** κ of harmonic n; see ComplexModuli. */
+    /** Argument κ of the ComplexModuli of harmonic n. */
     Complex
     kappa(const unsigned int n) const
     {
@@ -93,36 +92,36 @@ namespace Crevasse
       return ComplexModuli<dim>(material, kappa(n), body.points.n_local_points);
     }
 
-    /** χθₙ at a point; 0 if only its mean is there. */
+    /** Harmonic χθₙ of the thermal strain at a point; 0 if constant in time. */
     VoigtVector<dim, Complex>
     thermal_harmonic(const unsigned int n, const std::size_t offset) const;
 
-    /** Adds ∫ Dᵀ k K* χθₙ. */
+    /** Adds the thermal load ∫ Dᵀ k K* χθₙ of a harmonic. */
     void
     add_thermal_load(const unsigned int        n,
                      const ComplexModuli<dim> &moduli,
                      std::vector<Vector>      &loads) const;
 
-    /** Overwrites loads by displacements without contact, all but the mean, and
-     * states the contact problem. Those that are not loaded are left alone and
-     * become zero. */
+    /** Overwrites the loads by displacements without contact, except the mean,
+     * and returns the contact problem. Harmonics without load are not solved;
+     * their displacement is zero. */
     PeriodicContactProblem
     respond(HarmonicResponses<dim> &responses,
             const LipPart          &part,
             PeriodicMotion         &motion) const;
 
-    /** Adds what the contact forces do. */
+    /** Adds contact forces, and the displacement that they cause. */
     void
     add_contact(const PeriodicContactSolution &contact,
                 HarmonicResponses<dim>        &responses,
                 const LipPart                 &part,
                 PeriodicMotion                &motion) const;
 
-    /** rₙ for the displacement qₙ. */
+    /** Computes the viscous strain rₙ from the displacement qₙ. */
     void
     find_viscous_strain(const unsigned int n, PeriodicMotion &motion) const;
 
-    /** The mean of u_N at all nodes of the lip.
+    /** The mean opening u_N at all nodes of the lip.
      *
      * @param offsets of the nodes of @p part. */
     dealii::Vector<double>
@@ -136,7 +135,7 @@ namespace Crevasse
       harmonics.synthesise(values);
 
       dealii::Vector<double> ones(part.n_nodes());
-      std::fill(ones.begin(), ones.end(), 1.); // perhaps of no node
+      std::fill(ones.begin(), ones.end(), 1.); // may be empty
       const auto is_in_part = lip.gather(part.scatter(ones));
       auto       mean       = lip.gather(part.scatter(offsets));
       for (unsigned int i = 0; i < mean.size(); ++i)
@@ -150,7 +149,8 @@ namespace Crevasse
       return mean;
     }
 
-    /** Of least elastic energy. */
+    /** Finds the mean displacement of least elastic energy, given its lip
+     * values. */
     void
     find_mean_displacement(const dealii::Vector<double> &on_lip,
                            Vector                       &mean) const
@@ -158,10 +158,10 @@ namespace Crevasse
       mean = 0.;
       if (on_lip.size() == 0 || on_lip.linfty_norm() == 0.)
         return;
-      // The displacement of least energy is that of forces at the lip,
-      // A⁻¹ Lᵀ g: a back-solve for each product with L A⁻¹ Lᵀ. A slow material
-      // remembers it for many periods, so that results would show how rounding
-      // ended the iteration.
+      // The displacement of least energy is A⁻¹ Lᵀ g of forces g at the lip;
+      // each product with L A⁻¹ Lᵀ takes a back-solve. A slow material
+      // remembers this displacement for many periods, so the accuracy is high:
+      // otherwise results would depend on where rounding ends the iteration.
       constexpr double accuracy = 1e-13, accuracy_of_product = 1e-12;
       Vector           loads(mean);
       const auto       displace = [&](const LipVector &forces) {
@@ -183,7 +183,7 @@ namespace Crevasse
       dealii::SolverCG<LipVector>(control).solve(
         compliance, forces, on_lip, dealii::PreconditionIdentity());
       displace(forces);
-      // Exactly what is given there.
+      // The displacement on the lip is exactly as given.
       LipVector rest(on_lip);
       rest -= lip.restrict_to_lip(mean);
       lip.add_forces(1., rest, mean);
@@ -199,7 +199,7 @@ namespace Crevasse
       const double       stress_factor =
         material.viscosity_factor / material.stiffness_factor;
 
-      // What is unstrained elastically: (k wᵢ K)⁻¹ s̄ᵢ.
+      // Elastic strain under the mean stress: (k wᵢ K)⁻¹ s̄ᵢ.
       std::optional<Viscosity<dim>>                viscosity;
       std::optional<PointValues<VoigtMatrix<dim>>> compliance;
       if (flow != nullptr)
@@ -225,7 +225,7 @@ namespace Crevasse
                       (viscosity->branches[i][point] *
                        Field::get(flow->strain_rate, place)));
               if (material.plane_stress)
-                r[voigt_index<dim>(2, 2)] = 0.; // nothing asks for it
+                r[voigt_index<dim>(2, 2)] = 0.; // not used
               Field::set(motion.viscous_strain[0], place, r);
             }
         });
@@ -236,11 +236,11 @@ namespace Crevasse
     LinearSolver            &linear_solver;
     const MaterialState<dim> material;
     const UnilateralBounds   bounds;
-    const LipPart            lip; ///< all of it
+    const LipPart            lip; ///< all nodes of the lip
 
-    // Coefficients of harmonics.
+    // Coefficients of the harmonics of loads and thermal strain.
     std::vector<Vector> load;
-    std::vector<Vector> thermal_strain; ///< the mean alone, or none
+    std::vector<Vector> thermal_strain; ///< mean only, or empty
     double              largest_load = 0.;
   };
 } // namespace Crevasse

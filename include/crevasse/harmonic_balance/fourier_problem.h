@@ -15,12 +15,12 @@ namespace Crevasse
    * Harmonics. */
   struct PeriodicMotion
   {
-    std::vector<Vector> displacement;   ///< q
-    std::vector<Vector> viscous_strain; ///< r, with the branches of a chain
-    /** g for each local lip node. */
+    std::vector<Vector> displacement;   ///< displacements q
+    std::vector<Vector> viscous_strain; ///< viscous strains r, all branches
+    /** Contact forces g for each instant and each local lip node. */
     std::vector<std::vector<double>> contact_forces;
 
-    /** At how many instants each node that bears a mean force is closed; on
+    /** Number of instants at which each node with a mean force is closed; on
      * all ranks. */
     std::vector<unsigned int> instants_of_contact;
 
@@ -28,29 +28,28 @@ namespace Crevasse
     unsigned int complex_factorisations = 0;
   };
 
-  /** The periodic state found by harmonic balance, and what was found on the
-   * way. */
+  /** The periodic state found by harmonic balance, with details of its
+   * solution. */
   struct FourierResult
   {
     PeriodicMotion             motion;
-    std::optional<SecularFlow> flow; ///< none: the mean load vanishes
+    std::optional<SecularFlow> flow; ///< without mean load: none
     HarmonicRule               rule = HarmonicRule::trapezoid;
     std::vector<std::string>   warnings;
 
-    /** How the contact problem was solved; empty if no node bears a mean
-     * force. */
+    /** Solution of the contact problem in words; empty if there was none. */
     std::string contact;
 
-    /** Lines for the log. */
+    /** Describes the solution in lines for the log. */
     std::string
     describe() const;
 
-    /** Adds "harmonic_balance". */
+    /** Adds the section "harmonic_balance". */
     void
     add_to(Summary &summary) const;
   };
 
-  /** Why the direct treatment in time cannot do a scene, and what can; empty if
+  /** Reasons why harmonic balance cannot solve a scene, and what can; empty if
    * it can. Collective. */
   template <int dim>
   std::vector<std::string>
@@ -58,8 +57,8 @@ namespace Crevasse
                     const Body<dim> &body,
                     const StepList  &steps);
 
-  /** Whether the direct treatment in time can do a scene. Collective.
-   * @throw SceneError with all that it cannot do, and what to use instead. */
+  /** Checks that harmonic balance can solve a scene. Collective.
+   * @throw SceneError with all obstacles, and what to use instead. */
   template <int dim>
   void
   require_fourier(const Scene     &scene,

@@ -13,38 +13,38 @@
 
 namespace Crevasse
 {
-  /** The K*ₙ of a harmonic. */
+  /** The complex moduli K*ₙ of a harmonic. */
   template <int dim>
   using ComplexModuli = AlgorithmicModuli<dim, std::complex<double>>;
 
-  /** How a body answers to nodal loads that oscillate at one frequency: the
+  /** Response of a body to nodal loads that oscillate at one frequency: the
    * solutions of A* q = b, with the complex stiffness A* = ∫ DᵀK*D. */
   struct HarmonicResponse
   {
-    /** S = L A*⁻¹ Lᵀ on a part of the lip, the same on all ranks. */
+    /** Compliance S = L A*⁻¹ Lᵀ on a part of the lip, the same on all ranks. */
     PeriodicContactProblem::Compliance compliance;
 
-    /** Overwrites the parts of b by those of q. Collective. */
+    /** Solves A* q = b: overwrites the parts of b by those of q. Collective. */
     std::function<void(Vector &real, Vector &imaginary)> solve;
 
-    /** Bytes on this rank that are not shared with others. */
+    /** Bytes on this rank, without memory that responses share. */
     std::size_t memory_consumption;
   };
 
   /**
-   * Makes the responses of a body to the harmonics, each the cheapest there is:
-   * back-solves with the elastic stiffness where K* is a multiple of K, a
-   * complex factor elsewhere. Factors are kept for the second time that they
-   * are asked for, as long as the memory lasts.
+   * Computes the responses of a body to the harmonics in the cheapest way: by
+   * back-solves with the elastic stiffness where K* is a multiple of K, by a
+   * complex factor elsewhere. Factors are kept for their second use, as long as
+   * the memory lasts.
    */
   template <int dim>
   class HarmonicResponses
   {
   public:
-    /** All arguments must outlive this object.
+    /** The arguments must outlive the HarmonicResponses.
      *
      * @param linear_solver of the elastic stiffness A, without its factor k.
-     * @param lip the nodes whose compliance is asked for.
+     * @param lip the nodes of the compliances.
      * @param memory in bytes, of all ranks. */
     HarmonicResponses(const Body<dim>          &body,
                       const MaterialState<dim> &material,
@@ -59,8 +59,8 @@ namespace Crevasse
     {
     }
 
-    /** The response to harmonic @p n with these moduli, all without the factor
-     * k. Collective. @throw NumericalError if MUMPS fails. */
+    /** Response to harmonic @p n with moduli and response without the factor k.
+     * Collective. @throw NumericalError if MUMPS fails. */
     HarmonicResponse
     at(const unsigned int n, const ComplexModuli<dim> &moduli)
     {
@@ -75,8 +75,8 @@ namespace Crevasse
       const double needed =
         dealii::Utilities::MPI::sum(double(response.memory_consumption),
                                     body.space.communicator());
-      // Those that were made first are kept: the second time they are asked for
-      // in the same order, and dropping the oldest would always drop the next.
+      // The first responses are kept: they are used a second time in the same
+      // order, so dropping the oldest would always drop the next.
       is_full = is_full || used_memory + needed > memory;
       if (!is_full)
         {
@@ -86,8 +86,7 @@ namespace Crevasse
       return response;
     }
 
-    /** The response by a factor of its own. Collective. @throw NumericalError
-     * if MUMPS fails. */
+    /** Response by a complex factor. Collective. @throw NumericalError */
     HarmonicResponse
     factorised(const ComplexModuli<dim> &moduli)
     {
@@ -120,12 +119,12 @@ namespace Crevasse
       return {{matrix, 1.}, solve, factor->memory_consumption()};
     }
 
-    unsigned int n_factorisations = 0; ///< complex ones, so far
+    unsigned int n_factorisations = 0; ///< number of complex factors
 
   private:
     using Complex = std::complex<double>;
 
-    /** The part of matrices that a function of complex numbers takes. */
+    /** Real or imaginary parts of matrices, as @p part extracts them. */
     static PointValues<VoigtMatrix<dim>>
     part_of(const PointValues<VoigtMatrix<dim, Complex>> &matrices,
             const std::size_t                             n_points,
@@ -141,8 +140,8 @@ namespace Crevasse
         });
     }
 
-    /** The c with Σ K*ᵢ = c K at all points, if there is one: with a relaxation
-     * time that is the same everywhere, and where κ = 0. Collective. */
+    /** The common factor c with Σ K*ᵢ = c K at all points, if it exists: if the
+     * relaxation time is the same everywhere, or if κ = 0. Collective. */
     static std::optional<Complex>
     common_factor(const ComplexModuli<dim>            &moduli,
                   const PointValues<VoigtMatrix<dim>> &stiffness,
@@ -153,7 +152,7 @@ namespace Crevasse
       Complex          factor   = 0.;
       if (n_points > 0)
         factor = moduli.sum[0][0][0] / stiffness[0][0][0];
-      // That of a point of the first rank that has any.
+      // The factor of a point of the first rank that has points.
       const unsigned int rank =
         dealii::Utilities::MPI::this_mpi_process(communicator);
       const unsigned int first =
@@ -172,7 +171,7 @@ namespace Crevasse
       return factor;
     }
 
-    /** The response where A* is A times a number. */
+    /** Response if A* is the elastic stiffness A times a number. */
     HarmonicResponse
     scaled(const std::complex<double> factor)
     {
@@ -186,7 +185,7 @@ namespace Crevasse
         }
       const Complex inverse = 1. / factor;
       const auto    solve   = [this, inverse](Vector &real, Vector &imaginary) {
-        constexpr double accuracy = 1e-12; // of a residual
+        constexpr double accuracy = 1e-12; // relative residual
         const double     norm = std::max(real.l2_norm(), imaginary.l2_norm());
         if (norm == 0.)
           return;
@@ -211,10 +210,10 @@ namespace Crevasse
 
     double       used_memory = 0.;
     bool         is_full     = false;
-    SparseMatrix real, imaginary; ///< of the last factor
+    SparseMatrix real, imaginary; ///< parts of the last A*
     std::shared_ptr<const dealii::FullMatrix<std::complex<double>>>
-      elastic_compliance;                              ///< L A⁻¹ Lᵀ
-    std::shared_ptr<const std::vector<int>>  ordering; ///< see ComplexMumps
+      elastic_compliance; ///< compliance L A⁻¹ Lᵀ
+    std::shared_ptr<const std::vector<int>>  ordering; ///< for ComplexMumps
     std::map<unsigned int, HarmonicResponse> kept;
   };
 } // namespace Crevasse

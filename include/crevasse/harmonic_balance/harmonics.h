@@ -20,18 +20,17 @@ namespace Crevasse
    *
    *     x(t_j) = Re Σₙ cₙ exp(iωₙt_j),   n = 0 … N/2,   ωₙ = 2πn/T.
    *
-   * The sine of the last harmonic of an even N vanishes at all instants: only
-   * the real part of its c counts, and that of a response to it, whatever the
-   * rule.
+   * If N is even, the sine of the last harmonic vanishes at all instants: only
+   * the real parts of its coefficient and of a response to it count, with
+   * either rule.
    */
   class Harmonics
   {
   public:
-    /** @param rule by what the derivative in time of a harmonic is replaced:
-     * by what the trapezoidal rule with steps from instant to instant makes of
-     * it, so that the samples satisfy that scheme to rounding; or by the
-     * derivative of the trigonometric polynomial through the samples, which is
-     * as good as the loads are smooth. */
+    /** @param rule replaces the time derivative of a harmonic. trapezoid: by
+     * that of the trapezoidal rule with steps from instant to instant, so that
+     * the samples satisfy this scheme to rounding. exact: by the derivative of
+     * the trigonometric polynomial, as accurate as the loads are smooth. */
     Harmonics(const double       period,
               const unsigned int n_instants,
               const HarmonicRule rule);
@@ -42,31 +41,31 @@ namespace Crevasse
       return period * j / n_instants;
     }
 
-    /** Without the mean: N/2, rounded down. */
+    /** Number of harmonics without the mean: N/2, rounded down. */
     unsigned int
     n_harmonics() const
     {
       return n_instants / 2;
     }
 
-    /** Whether only the real part of this harmonic is seen by the samples. */
+    /** Whether the samples show only the real part of harmonic @p n. */
     bool
     is_real(const unsigned int n) const
     {
       return 2 * n == n_instants;
     }
 
-    /** 1/zₙ for n > 0: what the integral in time multiplies the harmonic n by.
-     * iωₙ is the zₙ of the exact rule, (2i/Δt) tan(ωₙΔt/2) that of the
-     * trapezoidal one, which is infinite for the last harmonic of an even N. */
+    /** Factor 1/zₙ of harmonic n > 0 for an integral in time: zₙ = iωₙ with the
+     * exact rule, (2i/Δt) tan(ωₙΔt/2) with the trapezoidal one, which is
+     * infinite for the last harmonic of an even N. */
     std::complex<double>
     integral(const unsigned int n) const;
 
     /**
      * Replaces N samples by coefficients: the mean c₀, then real and imaginary
-     * part of each cₙ, at the numbers 2n − 1 and 2n.
+     * part of each cₙ, at the indices 2n − 1 and 2n.
      *
-     * @tparam VectorType one whose own entries are one block of memory.
+     * @tparam VectorType a vector whose local entries are contiguous.
      */
     template <typename VectorType>
     void
@@ -75,7 +74,7 @@ namespace Crevasse
       apply(analysis, samples);
     }
 
-    /** The inverse of analyse(). */
+    /** Replaces coefficients by N samples, the inverse of analyse(). */
     template <typename VectorType>
     void
     synthesise(std::vector<VectorType> &coefficients) const
@@ -83,7 +82,7 @@ namespace Crevasse
       apply(synthesis, coefficients);
     }
 
-    /** The coefficients of zero, shaped like @p model. */
+    /** Coefficients of zero: copies of @p model, which must be zero. */
     template <typename VectorType>
     std::vector<VectorType>
     zero(const VectorType &model) const
@@ -91,10 +90,10 @@ namespace Crevasse
       return std::vector<VectorType>(1 + 2 * n_harmonics(), model);
     }
 
-    const unsigned int n_instants; ///< N
+    const unsigned int n_instants; ///< number N of instants
 
   private:
-    /** A matrix, times vectors of numbers. */
+    /** Replaces vectors by linear combinations, by the rows of a matrix. */
     template <typename VectorType>
     static void
     apply(const dealii::FullMatrix<double> &matrix,
@@ -112,7 +111,7 @@ namespace Crevasse
   Harmonics::apply(const dealii::FullMatrix<double> &matrix,
                    std::vector<VectorType>          &vectors)
   {
-    // By blocks of entries, each of which stays in the cache.
+    // Entries are treated in blocks that stay in the cache.
     constexpr std::size_t block = 128;
     const std::size_t size = vectors.front().end() - vectors.front().begin();
     vectors.resize(std::max(matrix.n(), matrix.m()), vectors.front());

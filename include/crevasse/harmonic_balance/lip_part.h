@@ -11,14 +11,14 @@
 
 namespace Crevasse
 {
-  /** Some nodes of the lip, of all ranks: every rank knows all of them, in the
-   * same order. Where L is said, it is that of these nodes. */
+  /** A set of nodes of the lip: every rank knows the nodes of all ranks, in the
+   * same order. L denotes the restriction to these nodes. */
   class LipPart
   {
   public:
-    /** Collective.
+    /** Collects the nodes of all ranks. Collective.
      *
-     * @param chosen which of the locally owned bounds belong to it. */
+     * @param chosen for each locally owned bound, whether it is in the set. */
     LipPart(const MPI_Comm           communicator,
             const UnilateralBounds  &bounds,
             const std::vector<bool> &chosen);
@@ -29,45 +29,45 @@ namespace Crevasse
       return nodes.dofs.size();
     }
 
-    /** L v, on all ranks. Collective. */
+    /** Normal components L v at the nodes, on all ranks. Collective. */
     dealii::Vector<double>
     restrict_to_lip(const Vector &v) const;
 
-    /** The same of a value for each locally owned bound. */
+    /** Values at the nodes from a value for each local bound. Collective. */
     dealii::Vector<double>
     gather(const std::vector<double> &on_bounds) const;
 
-    /** The inverse of gather(); 0 for other bounds. */
+    /** Values for local bounds, the inverse of gather(); 0 for other bounds. */
     std::vector<double>
     scatter(const dealii::Vector<double> &on_lip) const;
 
-    /** v += factor × Lᵀ g */
+    /** Adds factor × Lᵀ g, the nodal forces of contact forces g, to v. */
     void
     add_forces(const double                  factor,
                const dealii::Vector<double> &forces,
                Vector                       &v) const;
 
-    /** L A⁻¹ Lᵀ. Collective.
+    /** Computes the compliance L A⁻¹ Lᵀ. Collective.
      *
      * @param model a vector with the layout of A. */
     dealii::FullMatrix<double>
     compliance(LinearSolver &linear_solver, const Vector &model) const;
 
-    UnilateralBounds nodes; ///< of all ranks
+    UnilateralBounds nodes; ///< nodes of all ranks
 
   private:
-    /** From the Schur complement, if the factor has one. */
+    /** Compliance from the Schur complement of the factor, if it has one. */
     dealii::FullMatrix<double>
     from_factor(const DirectSolver &factor) const;
 
-    /** By a solve for each node. */
+    /** Compliance by a linear solve for each node. */
     dealii::FullMatrix<double>
     from_columns(LinearSolver &linear_solver, const Vector &model) const;
 
     const MPI_Comm            communicator;
-    const std::size_t         n_bounds; ///< locally owned ones
+    const std::size_t         n_bounds; ///< locally owned bounds
     unsigned int              first = 0;
-    std::vector<unsigned int> bounds; ///< of the locally owned nodes
+    std::vector<unsigned int> bounds; ///< indices of local nodes
   };
 } // namespace Crevasse
 

@@ -14,8 +14,7 @@
 
 namespace Crevasse
 {
-  /** A value for each of some nodes of the lip, or for each node and instant.
-   */
+  /** Values at nodes of the lip, one for each node or each node and instant. */
   using LipVector = dealii::Vector<double>;
 
   /**
@@ -25,34 +24,34 @@ namespace Crevasse
    *     w_i(t_j) = w⁰_i(t_j) + (S ∗ g)_i(t_j) + c_i,
    *     0 ≤ g_i(t_j) ⟂ w_i(t_j) ≥ 0,       (1/N) Σ_j g_i(t_j) = ḡ_i
    *
-   * with the forces g and one offset c a node unknown. The convolution S ∗ g
-   * multiplies the harmonics n = 1 … N/2 of g by the compliances Sₙ, complex
-   * symmetric matrices whose real parts are positive definite (at least the
-   * elastic compliance), and takes away the mean: hence the solution g is
-   * unique, and c too, where a node opens.
+   * with unknown forces g and one unknown offset c for each node. The
+   * convolution S ∗ g multiplies the harmonics n = 1 … N/2 of g by the
+   * compliances Sₙ, complex symmetric matrices whose real parts are positive
+   * definite (at least the elastic compliance), and removes the mean: hence the
+   * solution g is unique, and so is c where a node opens.
    */
   struct PeriodicContactProblem
   {
-    /** Sₙ = factor × matrix: matrices that differ by a factor are shared. */
+    /** Compliance Sₙ = factor × matrix; multiples share their matrix. */
     struct Compliance
     {
       std::shared_ptr<const dealii::FullMatrix<std::complex<double>>> matrix;
       std::complex<double> factor = 1.;
     };
 
-    /** S₁ … S_{N/2} (rounded down); the last one of an even N is real. */
+    /** Compliances S₁ … S_⌊N/2⌋; for an even N the last one is real. */
     std::vector<Compliance> compliances;
 
-    /** w⁰ for each instant, N of them. */
+    /** Openings w⁰ without contact for each of the N instants. */
     std::vector<dealii::Vector<double>> openings_without_contact;
 
-    /** ḡ > 0 for each node. */
+    /** Mean forces ḡ > 0 for each node. */
     dealii::Vector<double> mean_forces;
   };
 
-  /** How well forces and offsets solve a PeriodicContactProblem. All are
-   * relative: forces to the largest one, openings to the largest one without
-   * contact plus what the largest force does by itself. 0 is exact. */
+  /** Errors of forces and offsets as a solution of a PeriodicContactProblem,
+   * relative to the largest force, and to the largest opening without contact
+   * plus what the largest force causes by itself. 0 is exact. */
   struct PeriodicContactCertificate
   {
     double penetration     = 0.; ///< largest −w
@@ -60,50 +59,50 @@ namespace Crevasse
     double complementarity = 0.; ///< largest |g w|
     double mean_defect     = 0.; ///< largest |mean(g) − ḡ|
 
-    /** The largest of the four; infinite if one is not a number. */
+    /** Largest of the four errors; infinite if one is not a number. */
     double
     worst() const;
 
-    /** All four with their names. */
+    /** The four errors with their names. */
     std::string
     describe() const;
   };
 
-  /** The solution, in units of the problem, and what it took. */
+  /** Solution of a PeriodicContactProblem in its units, and the effort. */
   struct PeriodicContactSolution
   {
-    std::vector<dealii::Vector<double>> forces;  ///< g for each instant
-    dealii::Vector<double>              offsets; ///< c for each node
+    std::vector<dealii::Vector<double>> forces;  ///< forces g for each instant
+    dealii::Vector<double>              offsets; ///< offset c of each node
 
     PeriodicContactCertificate certificate        = {};
     unsigned int               n_sets             = 0;
-    unsigned int               n_proximal_steps   = 0; ///< mostly none
+    unsigned int               n_proximal_steps   = 0; ///< usually 0 steps
     unsigned int               n_gmres_iterations = 0;
 
-    /** For a log: "active set, factored, certificate: …" and the like. */
+    /** Summary for the log, e.g. "active set, factored, certificate: …". */
     std::string
     describe() const;
   };
 
   struct PeriodicContactOptions
   {
-    /** Of the certificate. */
+    /** Largest error allowed in the certificate. */
     double tolerance = 1e-9;
-    /** Closed nodes and instants, and nodes, of a system that is factored
-     * rather than solved by GMRES: about where both take the same time. */
+    /** Largest number of unknowns of a system that is factored rather than
+     * solved by GMRES: about where both take the same time. */
     unsigned int largest_dense_system = 350;
-    /** For one system; then it is factored. */
+    /** Largest number of GMRES steps for a system before it is factored. */
     unsigned int most_gmres_steps = 2000;
   };
 
   /**
-   * Solves by a primal–dual active set: with w = 0 at the nodes and instants
-   * of the set, g = 0 at the others and the mean of g given, g and c follow
-   * from one linear system; what then has tension leaves the set, what
-   * penetrates enters it (Hintermüller, Ito and Kunisch, SIAM J. Optim. 13,
-   * 2002). It mostly ends after a few sets. Where sets come back, proximal
-   * points (Rockafellar, SIAM J. Control Optim. 14, 1976) come so near to the
-   * solution that it does; they converge, for the problem is monotone.
+   * Solves a PeriodicContactProblem by a primal–dual active set: with w = 0 at
+   * the nodes and instants of the set, g = 0 at the others and the mean of g
+   * given, g and c follow from one linear system; entries with tension leave
+   * the set, penetrating ones enter it (Hintermüller, Ito and Kunisch, SIAM J.
+   * Optim. 13, 2002). Usually a few sets suffice. If sets recur, proximal
+   * points (Rockafellar, SIAM J. Control Optim. 14, 1976) approach the solution
+   * until they do; these converge, as the problem is monotone.
    *
    * @throw NumericalError if a number is not finite, or no set solves the
    * problem to the tolerance.
@@ -112,7 +111,7 @@ namespace Crevasse
   solve_periodic_contact(const PeriodicContactProblem &problem,
                          const PeriodicContactOptions &options = {});
 
-  /** Certifies forces and offsets at the cost of one convolution. */
+  /** Computes the errors of a solution, at the cost of one convolution. */
   PeriodicContactCertificate
   certify(const PeriodicContactProblem  &problem,
           const PeriodicContactSolution &solution);

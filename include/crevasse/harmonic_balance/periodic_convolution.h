@@ -21,33 +21,33 @@ namespace Crevasse
   class PeriodicConvolution
   {
   public:
-    /** Shares the matrices of the compliances S₁ … S_{N/2}, each p × p. */
+    /** Plans the transforms. Shares the p × p matrices of S₁ … S_{N/2}. */
     PeriodicConvolution(
       const std::vector<PeriodicContactProblem::Compliance> &compliances,
       const unsigned int                                     n_nodes,
       const unsigned int                                     n_instants);
     ~PeriodicConvolution();
 
-    /** S ∗ g, p N entries; whatever the mean of g, the result has none. */
+    /** Computes S ∗ g, p N entries with zero mean whatever the mean of g. */
     void
     vmult(dealii::Vector<double>       &result,
           const dealii::Vector<double> &function) const;
 
-    /** The kernel C(t_k), k = 0 … N − 1, p × p matrices with
-     * (S ∗ g)(t_j) = Σ_k C(t_j − t_k) g(t_k). N p² numbers. */
+    /** Kernel C(t_k) of the convolution, k = 0 … N − 1, p × p matrices with (S
+     * ∗ g)(t_j) = Σ_k C(t_j − t_k) g(t_k): N p² numbers. */
     std::vector<dealii::FullMatrix<double>>
     kernel() const;
 
-    /** The largest |entry| on the diagonals of all Sₙ; 0 without harmonics. */
+    /** Largest |diagonal entry| of all compliances Sₙ; 0 without harmonics. */
     double largest_compliance = 0.;
 
-    /** Re Sₙ for the highest n, which is next to the elastic compliance: a
-     * symmetric positive definite p × p matrix, for preconditioners; of no
-     * entries if there is no harmonic. */
+    /** Re Sₙ for the highest n, which is close to the elastic compliance: a
+     * symmetric positive definite p × p matrix, for preconditioners; empty if
+     * there are no harmonics. */
     dealii::FullMatrix<double> elastic_compliance;
 
-    const unsigned int n_nodes;    ///< p
-    const unsigned int n_instants; ///< N
+    const unsigned int n_nodes;    ///< number p of nodes
+    const unsigned int n_instants; ///< number N of instants
 
   private:
     struct Transforms;
@@ -55,7 +55,7 @@ namespace Crevasse
     const std::vector<PeriodicContactProblem::Compliance> compliances;
     const std::unique_ptr<Transforms>                     transforms;
 
-    /** Of vmult(): one harmonic, and what its compliance makes of it. */
+    /** Scratch data of vmult(): a harmonic, and its response. */
     mutable dealii::Vector<std::complex<double>> harmonic, response;
   };
 } // namespace Crevasse

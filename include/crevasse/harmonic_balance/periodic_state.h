@@ -8,27 +8,27 @@
 
 namespace Crevasse
 {
-  /** Forces and offsets of a PeriodicContactProblem, and the openings that they
-   * leave. Functions of time are one vector of p N entries, all nodes of the
+  /** Forces and offsets of a PeriodicContactProblem, and the resulting
+   * openings. A function of time is a vector of p N entries, all nodes of the
    * first instant first. */
   struct PeriodicState
   {
-    /** All zero. Keeps references. */
+    /** Creates the zero state. The arguments must outlive it. */
     PeriodicState(const PeriodicContactProblem &problem,
                   const PeriodicConvolution    &convolution);
 
-    /** w = w⁰ + S ∗ g + c, and the proximal term. */
+    /** Computes w = w⁰ + S ∗ g + c, plus the proximal term. */
     void
     compute_openings();
 
-    /** The largest |g|, and no less than the largest mean. */
+    /** Scale of forces: the largest |g|, or ḡ if larger. */
     double
     force_scale() const
     {
       return std::max(forces.linfty_norm(), mean_forces.linfty_norm());
     }
 
-    /** The largest |w⁰|, plus what the largest force does by itself. */
+    /** Scale of openings: largest |w⁰| plus effect of the largest force. */
     double
     opening_scale() const
     {
@@ -36,7 +36,7 @@ namespace Crevasse
              convolution.largest_compliance * force_scale();
     }
 
-    /** What the mean of the forces lacks. */
+    /** Given means of the forces minus their current means. */
     LipVector
     missing_means() const;
 
@@ -45,13 +45,12 @@ namespace Crevasse
 
     LipVector forces, openings, offsets;
 
-    /** Of proximal points: what multiplies forces less those of the centre, for
-     * an opening. */
+    /** Proximal term: shift × (forces − centre) is added to the openings. */
     double    shift = 0.;
     LipVector centre;
 
     const PeriodicConvolution &convolution;
-    const LipVector            without_contact; ///< w⁰
+    const LipVector            without_contact; ///< openings w⁰
     const LipVector           &mean_forces;
   };
 } // namespace Crevasse

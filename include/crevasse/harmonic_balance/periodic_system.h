@@ -11,28 +11,27 @@
 namespace Crevasse
 {
   /**
-   * The bordered linear systems of PeriodicContactProblem, on active entries
-   * A of the p N of a function:
+   * The bordered linear systems of PeriodicContactProblem, on active entries A
+   * of a function of p nodes and N instants:
    *
    *     S ∗ x + c = right on A,   x = 0 elsewhere,   mean(x) = mean.
    *
-   * Small ones are factored: the kernel of the convolution is a dense matrix.
-   * Large ones are left to GMRES, with the convolution by Fourier transforms,
-   * and factored only if that does not converge. Its preconditioner has the
-   * elastic compliance in place of the convolution, and so a matrix by itself
-   * for each instant; its solutions have the mean asked for.
+   * Small systems are factored: the kernel of the convolution is a dense
+   * matrix. Large systems are solved by GMRES, with the convolution by Fourier
+   * transforms, and factored only if GMRES does not converge. The
+   * preconditioner replaces the convolution by the elastic compliance, which
+   * needs one small matrix for each instant; its solutions have the given mean.
    */
   class PeriodicSystem
   {
   public:
-    /** Keeps references. */
+    /** Creates a system without active entries. Arguments must outlive it. */
     PeriodicSystem(const PeriodicConvolution    &convolution,
                    const PeriodicContactOptions &options);
 
-    /** Makes these the active entries, of p N, with at least one for each node,
-     * and prepares solutions.
+    /** Sets the active entries, at least one a node, and prepares solving.
      *
-     * @param shift D ≥ 0, a number.
+     * @param shift D ≥ 0 of proximal points, added to the diagonal.
      * @throw NumericalError if the matrix is singular. */
     void
     reinit(const std::vector<bool> &active, const double shift = 0.);
@@ -40,9 +39,9 @@ namespace Crevasse
     /**
      * Solves a system.
      *
-     * @param right p N entries; those that are not active do not matter
+     * @param right p N entries, of which only active ones are used
      * @param means p entries
-     * @param accuracy what GMRES may leave of the equations, root mean square
+     * @param accuracy allowed residual of GMRES, root mean square
      * @param[out] x p N entries
      * @param[out] offsets c, p entries
      * @throw NumericalError if GMRES does not converge and there are too many
@@ -55,16 +54,16 @@ namespace Crevasse
           LipVector       &x,
           LipVector       &offsets);
 
-    /** For GMRES: what x and c, one after the other, make of the equations on
-     * A. Those of the mean hold from the start: 0. */
+    /** Product with the matrix, for GMRES, of x and c, one after the other. The
+     * equations of the mean hold from the start: their result is 0. */
     void
     vmult(LipVector &result, const LipVector &x_and_c) const;
 
-    /** Steps of GMRES in all; 0 if everything was factored. */
+    /** Total number of GMRES steps; 0 if all systems were factored. */
     unsigned int n_iterations = 0;
 
   private:
-    /** With the elastic compliance. */
+    /** Preconditioner of GMRES, with the elastic compliance. */
     struct Preconditioner
     {
       explicit Preconditioner(const PeriodicSystem &system)
@@ -77,10 +76,10 @@ namespace Crevasse
 
       const PeriodicSystem                         &system;
       std::vector<dealii::LAPACKFullMatrix<double>> inverses; ///< by instant
-      dealii::LAPACKFullMatrix<double>              border;   ///< for c
+      dealii::LAPACKFullMatrix<double>              border;   ///< matrix for c
 
     private:
-      /** Of vmult(): c, and the unknowns of one instant. */
+      /** Scratch data of vmult(): c, and the unknowns of one instant. */
       mutable LipVector offsets, before, after;
     };
 
@@ -90,7 +89,7 @@ namespace Crevasse
     void
     prepare_preconditioner();
 
-    /** @return whether GMRES converged. */
+    /** Solves by GMRES. @return whether it converged. */
     bool
     solve_iteratively(const LipVector &right,
                       const double     accuracy,
@@ -99,18 +98,17 @@ namespace Crevasse
     const PeriodicConvolution    &convolution;
     const PeriodicContactOptions &options;
 
-    /** The active entries, ascending, and where those of each instant begin
-     * among them. */
+    /** Active entries, ascending, and where each instant begins among them. */
     std::vector<unsigned int> unknowns, begins;
 
-    std::vector<dealii::FullMatrix<double>> kernel;  ///< if ever factored
-    dealii::LAPACKFullMatrix<double>        matrix;  ///< factored, or empty
-    LipVector                               scaling; ///< of rows and columns
+    std::vector<dealii::FullMatrix<double>> kernel;  ///< empty until factored
+    dealii::LAPACKFullMatrix<double>        matrix;  ///< LU factors, or empty
+    LipVector                               scaling; ///< scale of rows, columns
     Preconditioner                          preconditioner;
     double                                  shift = 0.;
 
-    /** Of vmult(): x at all p N entries, 0 at those that are not active, and
-     * S ∗ x. */
+    /** Scratch data of vmult(): x at all p N entries, 0 at inactive ones, and S
+     * ∗ x. */
     mutable LipVector all_entries, convolved;
   };
 } // namespace Crevasse

@@ -12,20 +12,20 @@
 namespace Crevasse
 {
   /**
-   * Goes through a motion that is known already as if it were integrated: each
-   * state is evaluated by its own contact problem, shown, and compared with the
-   * motion. What was solved for all instants at once is so verified instant by
-   * instant, by what marches use.
+   * Steps through a known motion as if it were integrated: each state is
+   * computed by its own contact problem, shown, and compared with the motion.
+   * So a solution for all instants at once is verified instant by instant, by
+   * the methods that march() uses.
    */
   class PrescribedMotion : public Integrator, public Observer
   {
   public:
-    /** @param motion at the beginnings of equal steps; it must outlive this
-     * object.
-     * @param rule by which it was found.
+    /** @param motion at the beginnings of equal steps; it must outlive the
+     * PrescribedMotion.
+     * @param rule by which the motion was found.
      * @param step from one instant to the next.
-     * @param diameter of the body: strains are small beside displacements over
-     * it.
+     * @param diameter of the body: strains are compared with displacement over
+     * diameter.
      * @param largest_load at a node. */
     PrescribedMotion(const PeriodicMotion &motion,
                      const HarmonicRule    rule,
@@ -58,7 +58,7 @@ namespace Crevasse
       last_rate = rate;
     }
 
-    /** Only from the beginning of one step to the next. */
+    /** Advances from the beginning of one step to that of the next only. */
     void
     advance(const TimeStep &step) override
     {
@@ -77,13 +77,13 @@ namespace Crevasse
       for (unsigned int i = 0; i < q.locally_owned_size(); ++i)
         displacement.add(q.local_element(i),
                          motion.displacement[j].local_element(i));
-      // Under constant loads nothing but the flow is there.
+      // Under constant loads the only displacement is the secular flow.
       if (sample.secular_flow != nullptr)
         displacement.size =
           std::max(displacement.size,
                    motion.displacement.size() * step *
                      sample.secular_flow->velocity.linfty_norm());
-      // A lip that nothing presses bears what rounding leaves of the loads.
+      // An unpressed lip has forces that are rounding of the loads.
       for (const double b : sample.right_hand_side)
         force.size = std::max(force.size, std::abs(b));
       for (unsigned int k = 0; k < sample.state.contact_forces.size(); ++k)
@@ -104,15 +104,15 @@ namespace Crevasse
         }
     }
 
-    /** Largest difference of displacement, contact force or, by the trapezoidal
-     * rule, viscous strain to what the motion says, relative to the largest
-     * value of its kind. Collective; for a whole period. */
+    /** Largest difference from the motion, over a whole period, of
+     * displacement, contact force or, by the trapezoidal rule, viscous strain,
+     * relative to the largest value of its kind. Collective. */
     double
     largest_defect() const
     {
       const MPI_Comm communicator =
         motion.displacement.front().get_mpi_communicator();
-      // Where nothing is stressed viscous strains are what rounding leaves.
+      // Without stress the viscous strain is rounding.
       Difference strain = viscous_strain;
       strain.size       = std::max(strain.size, displacement.size / diameter);
       double worst      = 0.;
@@ -130,14 +130,14 @@ namespace Crevasse
     const PeriodicMotion &motion;
     const HarmonicRule    rule;
 
-    /** The number of the instant @p t, from 0; N at the end of the period. */
+    /** Index of the instant @p t, from 0; N at the end of the period. */
     unsigned int
     number(const double t) const
     {
       return std::lround(t / step);
     }
 
-    /** Takes the defect of the trapezoidal rule in the step that ends at
+    /** Records the defect of the trapezoidal rule in the step that ends at
      * instant @p end. */
     void
     compare_step(const unsigned int end, const Vector &r, const Vector &rate)
@@ -154,7 +154,7 @@ namespace Crevasse
     const double step, diameter;
     Vector       first_rate, last_rate, defect;
 
-    /** A difference and the size of what differs. */
+    /** Largest difference of two fields, and their largest value. */
     struct Difference
     {
       double largest = 0., size = 0.;

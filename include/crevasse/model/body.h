@@ -14,26 +14,26 @@
 
 namespace Crevasse
 {
-  /** The roles of the scene's boundaries: what the user says, completed by what
-   * the built-in shape has. @throw SceneError if there is a traction but no
-   * loaded boundary. */
+  /** The roles of the scene's boundaries: as given by the user, completed by
+   * those of the built-in shape. @throw SceneError if there is a traction but
+   * no loaded boundary. */
   BoundaryRoles
   boundary_roles(const Scene &scene);
 
-  /** The scene's geometry with the refinement that needs no solution: uniform
-   * and towards the crack tip. Collective. @throw SceneError */
+  /** Creates the scene's mesh with the refinement that needs no solution:
+   * uniform and towards the crack tip. Collective. @throw SceneError */
   template <int dim>
   std::shared_ptr<Mesh<dim>>
   make_scene_mesh(const Scene &scene, const MPI_Comm communicator);
 
   /**
-   * The discretised body: mesh, spaces, lip and loads, but nothing assembled
-   * or solved yet. Building it finds every error of mesh and boundaries.
+   * The discretised body: mesh, spaces, lip and loads, before anything is
+   * assembled or solved. Its construction checks mesh and boundaries.
    */
   template <int dim>
   struct Body
   {
-    /** @param mesh from make_scene_mesh(), or what became of it.
+    /** @param mesh of make_scene_mesh(), possibly adapted.
      * @throw SceneError, or NumericalError if a rigid-body motion is
      * unconstrained. */
     Body(const Scene &scene, std::shared_ptr<const Mesh<dim>> mesh);
@@ -42,7 +42,7 @@ namespace Crevasse
     const Effects          effects;
     const MaxwellLaw<dim>  law;
     const Space<dim>       space;
-    /** What moves away unless contact stops it. */
+    /** Rigid-body motions that only contact stops. */
     const std::vector<RigidMotion> held_by_contact;
     const QuadratureField<dim>     points;
     const MaterialField<dim>       material;
@@ -51,8 +51,8 @@ namespace Crevasse
     const ExternalLoads<dim>       loads;
   };
 
-  /** What a property of the material tends to at a tip, if that is the same
-   * from all sides. Around the tip it may vary. */
+  /** Limit of a property of the material at a tip, if it is the same from all
+   * sides. Around the tip the property may vary. */
   std::optional<VoigtMatrix<2>>
   limit_at(const CrackTip                 &tip,
            const dealii::Triangulation<2> &mesh,
@@ -60,7 +60,7 @@ namespace Crevasse
            const Temperature<2>           &temperature,
            const double                    t);
 
-  /** The elastic body at a tip at an instant, without its factor k.
+  /** Elasticity at a tip at an instant, without the factor k.
    * @throw SceneError if it is not isotropic, or has no limit there. */
   PlaneElasticity
   elasticity_at(const CrackTip                 &tip,
@@ -70,25 +70,24 @@ namespace Crevasse
                 const double                    t,
                 const std::string              &wanted_by);
 
-  /** The bounds of the discrete cone C: at the nodes of a lip, in their order,
-   * and after them that of the singular function which opens it. Its
-   * coefficient is K_I but for a factor: without the bound the lip would
-   * penetrate between the nodes by √r. (w₃ opens it by r^{3/2} only, and has
-   * none.)
-   * @param motions that they alone stop. */
+  /** Bounds of the discrete cone C: at the nodes of a lip, in their order, and
+   * then the bound of the singular function that opens the lip. Its coefficient
+   * is proportional to K_I: without the bound the lip would penetrate between
+   * the nodes by √r. (w₃ opens it by r^{3/2} only, and has no bound.)
+   * @param motions rigid-body motions that only the bounds stop. */
   template <int dim>
   UnilateralBounds
   unilateral_bounds(const ContactBoundary<dim>     &lip,
                     const Space<dim>               &space,
                     const std::vector<RigidMotion> &motions = {});
 
-  /** The scene's supports: its own list, or what the built-in shape needs. */
+  /** Supports of the scene: its list, or those of its built-in shape. */
   template <int dim>
   std::vector<FixedPoint<dim>>
   fixed_points(const Scene &scene);
 
-  /** Roles, boundary ids and supports in one line: "symmetry 2; loaded 3;
-   * contact 4; fixed (0.5, 0): 1". */
+  /** Describes roles, boundary ids and supports in one line: "symmetry 2;
+   * loaded 3; contact 4; fixed (0.5, 0): 1". */
   template <int dim>
   std::string
   describe_boundaries(const Scene &scene);

@@ -13,7 +13,7 @@
 
 namespace Crevasse
 {
-  /** What the contact systems of a run have in common. */
+  /** Settings common to the contact systems of a run. */
   struct SolverSettings
   {
     const ContactParameters      &contact;
@@ -21,27 +21,26 @@ namespace Crevasse
     LinearSolverChoice            linear_choice;
     ContactSolverChoice           contact_choice;
 
-    /** The factor of projected SOR for a stiffness. */
+    /** Relaxation factor of projected SOR for a stiffness. */
     std::function<double(const SparseMatrix &)> relaxation_factor;
-    /** By which errors are judged: see Scales. */
+    /** Largest load, the scale of errors: see Scales. */
     double largest_load = 0.;
   };
 
   /**
-   * A stiffness and what solves with it. The linear solver is prepared when it
-   * is asked for, not before.
+   * A stiffness with its contact solver and linear solver. The linear solver is
+   * prepared when it is first used.
    */
   template <int dim>
   class ContactSystem
   {
   public:
-    /** Assembles, and prepares the contact solver. All arguments but
-     * @p stiffness and @p similar must outlive this object.
+    /** Assembles the stiffness and prepares the contact solver. Arguments other
+     * than @p stiffness and @p similar must outlive the ContactSystem.
      *
-     * @param similar a system of the same space, whose sparsity pattern and its
-     * analysis are used again, or null.
-     * @throw NumericalError if a matrix-free operator is not the one that it
-     * should be. */
+     * @param similar a system of the same space, whose sparsity pattern and
+     * analysis are reused, or null.
+     * @throw NumericalError if a matrix-free operator is wrong. */
     ContactSystem(const SolverSettings                &settings,
                   const Space<dim>                    &space,
                   const QuadratureField<dim>          &points,
@@ -49,7 +48,7 @@ namespace Crevasse
                   const UnilateralBounds              &bounds,
                   const ContactSystem                 *similar = nullptr);
 
-    // Its parts refer to one another.
+    // Members refer to each other, so the object cannot be copied.
     ContactSystem(const ContactSystem &) = delete;
 
     const SignoriniProblem &
@@ -64,19 +63,19 @@ namespace Crevasse
       return *contact;
     }
 
-    /** For the body with an open lip. */
+    /** Linear solver for the body with an open lip. */
     LinearSolver &
     linear_solver();
 
-    /** Names and reasons for summary.json. */
+    /** Adds names of solvers and reasons for them to summary.json. */
     void
     describe(Summary &summary) const;
 
     SolverStatistics
     statistics() const;
 
-    /** Bytes of the matrix and what solves with it, on this rank; without what
-     * a similar system has made. */
+    /** Bytes of the matrix and its solvers, on this rank, without what is
+     * shared with a similar system. */
     std::size_t
     memory_consumption() const
     {
@@ -92,16 +91,16 @@ namespace Crevasse
 
     const SolverSettings                       &settings;
     const Space<dim>                           &space;
-    std::shared_ptr<const Cholesky::Factor>     analysis; ///< if there is one
-    std::shared_ptr<const MultigridLevels<dim>> levels;   ///< likewise
-    std::size_t bytes_of_levels = 0; ///< where they were made only
+    std::shared_ptr<const Cholesky::Factor>     analysis; ///< analysis, or null
+    std::shared_ptr<const MultigridLevels<dim>> levels;   ///< levels, or null
+    std::size_t bytes_of_levels = 0;                      ///< 0 if shared
 
     SparseMatrix                            matrix; ///< empty: matrix-free
-    std::unique_ptr<const LinearOperator>   linear_operator; ///< A
+    std::unique_ptr<const LinearOperator>   linear_operator; ///< stiffness A
     std::unique_ptr<const SignoriniProblem> signorini_problem;
     std::unique_ptr<LinearSolver>           open_solver;
     std::unique_ptr<ContactSolver>          contact;
-    SolverStatistics                        setups; ///< nothing but set-ups
+    SolverStatistics                        setups; ///< counts of set-ups only
   };
 } // namespace Crevasse
 

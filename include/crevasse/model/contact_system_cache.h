@@ -17,17 +17,17 @@ namespace Crevasse
   class StateArchive;
 
   /**
-   * The material and the contact system of any instant. With a stiffness that
-   * is constant but for a factor there is one system for all of them. Otherwise
-   * each instant has its own. Where r is implicit there is one for each κ (see
-   * AlgorithmicModuli), and for each instant if K or H varies freely. Caches
-   * keep them.
+   * Provides the material and the contact system of any instant. If the
+   * stiffness is constant up to a factor, all instants share one system;
+   * otherwise each instant has its own. Implicit stages have a system for each
+   * κ (see AlgorithmicModuli), and for each instant if K or H varies freely.
+   * Systems are cached.
    */
   template <int dim>
   class ContactSystemCache : public InstantProvider<dim>
   {
   public:
-    /** All arguments must outlive this object.
+    /** The arguments must outlive the ContactSystemCache.
      *
      * @param choice of the solvers for this body.
      * @param largest_load of a node over a period: see largest_load(). */
@@ -38,7 +38,7 @@ namespace Crevasse
                        const double        largest_load,
                        Log                &log);
 
-    // Its parts refer to one another.
+    // Members refer to each other, so the object cannot be copied.
     ContactSystemCache(const ContactSystemCache &) = delete;
 
     Instant<dim>
@@ -69,37 +69,36 @@ namespace Crevasse
     const RelaxationFunctions<dim> &
     relaxation_at(const double t, const double c) override;
 
-    /** The matrix, without its factor, and the contact problem of an instant.
-     * It lasts until the next one is asked for. */
+    /** The matrix, without its factor, and the contact problem of an instant,
+     * valid until the next call. */
     ContactSystem<dim> &
     system_at(const double t);
 
-    /** See SolverSettings. */
+    /** Settings of all systems; see SolverSettings. */
     SolverSettings settings;
 
-    /** The factor of projected SOR for a matrix: what the scene says, or the
+    /** Relaxation factor of projected SOR for a matrix: the scene's, or the
      * best one for the given loads. */
     double
     relaxation_factor(const SparseMatrix &matrix, const Vector &loads) const;
 
-    /** Of all systems that there were. */
+    /** Statistics of all systems, past ones included. */
     SolverStatistics
     statistics() const;
 
-    /** Shows the state of the contact solvers of all instants; those of a run
-     * that is resumed are made first. */
+    /** Serialises the state of the contact solvers of all instants; a resumed
+     * run first creates them. */
     void
     serialize(StateArchive &archive);
 
-    /** Counts what another system of this run has done. */
+    /** Adds the statistics of another system of this run. */
     void
     add(const SolverStatistics &other)
     {
       of_the_past.add(other);
     }
 
-    /** Which solvers there are and why, how often they were called and what it
-     * took. */
+    /** Adds the solvers, reasons for them, their numbers of calls and cost. */
     void
     summarise(Summary &summary) const
     {
@@ -111,11 +110,11 @@ namespace Crevasse
     std::shared_ptr<ContactSystem<dim>>
     make_system(const typename MaterialState<dim>::Matrices &stiffness) const;
 
-    /** Of such a tangent, whose system is the last one now. */
+    /** Returns a kept tangent, and makes its system the last one. */
     Tangent<dim>
     use(const double t, const typename KeptTangents<dim>::Kept &kept);
 
-    /** What a system was asked for. */
+    /** Request for a system: its purpose and its arguments. */
     struct Request
     {
       enum Kind
@@ -130,7 +129,7 @@ namespace Crevasse
     ContactSystem<dim> &
     system_of(const Request &request);
 
-    /** Of what depends on a time c. */
+    /** Cache key of values that depend on a time c. */
     std::pair<double, double>
     step_key(const double              t,
              const double              c,
@@ -146,19 +145,19 @@ namespace Crevasse
     Log             &log;
 
     const UnilateralBounds              bounds;
-    std::optional<double>               sor_factor;  ///< once it was searched
-    std::shared_ptr<ContactSystem<dim>> only_system; ///< constant stiffness
+    std::optional<double>               sor_factor;  ///< factor, once found
+    std::shared_ptr<ContactSystem<dim>> only_system; ///< if K is constant
     std::shared_ptr<ContactSystem<dim>> last_system;
     SolverStatistics                    of_the_past;
-    std::vector<Request> requests; ///< of the systems in the cache, as made
+    std::vector<Request> requests; ///< requests of cached systems, in order
     Request              last_request{Request::of_stiffness, 0., 0.};
 
-    // What belongs to instants. A system is not dropped for a material.
+    // Caches for instants. A system is not dropped to keep a material.
     InstantMemory                          memory;
     InstantCache<MaterialState<dim>>       materials;
     InstantCache<AlgorithmicModuli<dim>>   moduli;
     InstantCache<RelaxationFunctions<dim>> relaxation;
-    InstantCache<ContactSystem<dim>>       systems; ///< of K, or of moduli
+    InstantCache<ContactSystem<dim>>       systems; ///< for K or moduli
     KeptTangents<dim>                      tangents;
 
     std::shared_ptr<const RelaxationFunctions<dim>> last_relaxation;

@@ -11,8 +11,8 @@ namespace Crevasse
   template <int dim>
   class StressEstimator;
 
-  /** The elastic displacement of a body of constant stiffness under the given
-   * loads, with the lip open or held at u_N = 0. What it costs is added to the
+  /** Elastic displacement of a body of constant stiffness under the given
+   * loads, with the lip open or held at u_N = 0. The cost is added to the
    * statistics of the solvers. */
   template <int dim>
   Vector
@@ -22,8 +22,8 @@ namespace Crevasse
                        const Vector            &loads,
                        const bool               lip_closed);
 
-  /** Shows the estimator the elastic body with contact at these instants of
-   * the period. Collective. @throw NumericalError */
+  /** Passes elastic states with contact, at these instants of the period, to
+   * the estimator. Collective. @throw NumericalError */
   template <int dim>
   void
   look_at_elastic_states(const Body<dim>           &body,

@@ -15,12 +15,12 @@
 
 namespace Crevasse
 {
-  /** The memory that a scene grants to what is kept for instants, of all ranks
-   * and all caches together. */
+  /** Limit of the memory for cached values of instants, over all ranks and all
+   * caches together. */
   class InstantMemory
   {
   public:
-    /** @p log must outlive this object. */
+    /** @p log must outlive the InstantMemory. */
     InstantMemory(const MPI_Comm communicator, const double bytes, Log &log)
       : communicator(communicator)
       , limit(bytes)
@@ -28,15 +28,16 @@ namespace Crevasse
     {
     }
 
-    /** Counts what a cache keeps on this rank: contact solvers grow. */
+    /** Registers a function for the memory of a cache on this rank: contact
+     * solvers grow. */
     void
     count(const std::function<std::size_t()> &bytes_kept)
     {
       caches.push_back(bytes_kept);
     }
 
-    /** Whether so many bytes more on this rank may be kept; never again once
-     * they may not. Collective. */
+    /** Whether so many more bytes on this rank may be cached; false ever after
+     * one refusal. Collective. */
     bool
     grants(const std::size_t bytes)
     {
@@ -62,22 +63,21 @@ namespace Crevasse
   };
 
   /**
-   * Keeps what belongs to instants for the same instants of later periods, as
-   * long as the memory lasts; what does not fit is made anew each time. Those
-   * that were made first are kept: where instants come in turn, dropping the
-   * oldest would always drop the next.
+   * Caches values of instants for the same instants of later periods, as long
+   * as the memory lasts; other values are recomputed each time. The first
+   * values are kept: as instants come in turn, dropping the oldest would always
+   * drop the next.
    */
   template <typename Value>
   class InstantCache
   {
   public:
-    /** The instant, and what else a value depends on: κ of AlgorithmicModuli.
-     */
+    /** Instant and second argument of a value: κ of AlgorithmicModuli. */
     using Key  = std::pair<double, double>;
     using Make = std::function<std::shared_ptr<Value>()>;
 
-    /** @param drop called with a value that is made anew later.
-     * @param bytes of a value on this rank. */
+    /** @param drop called with a value that will be recomputed later.
+     * @param bytes function for the memory of a value on this rank. */
     InstantCache(
       InstantMemory                                   &memory,
       const std::function<void(const Value &)>        &drop = {},
@@ -97,7 +97,7 @@ namespace Crevasse
 
     InstantCache(const InstantCache &) = delete;
 
-    /** The value of an instant, made if need be. Collective. */
+    /** The value of an instant, computed if need be. Collective. */
     std::shared_ptr<Value>
     at(const Key &key, const Make &make)
     {
@@ -118,7 +118,7 @@ namespace Crevasse
       return scratch;
     }
 
-    /** Shows all values that there are. */
+    /** Calls @p show for all present values. */
     template <typename Function>
     void
     for_each(const Function &show) const
@@ -130,7 +130,7 @@ namespace Crevasse
     }
 
   private:
-    /** Equal steps differ by rounding, and so does κ. */
+    /** Relative rounding of equal κ, as equal steps differ by rounding. */
     static constexpr double rounding = 1e-12;
 
     static bool
@@ -145,7 +145,7 @@ namespace Crevasse
     const std::function<void(const Value &)>        drop;
 
     std::map<Key, std::shared_ptr<Value>> kept;
-    std::shared_ptr<Value>                scratch; ///< one that is not kept
+    std::shared_ptr<Value>                scratch; ///< value that is not kept
     Key                                   scratch_key;
   };
 } // namespace Crevasse

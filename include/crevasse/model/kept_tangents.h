@@ -13,10 +13,10 @@ namespace Crevasse
   class StateArchive;
 
   /**
-   * The tangents of creep by a power law that were made so far, each of the
-   * stress at an instant of the period, with their contact systems. From period
-   * to period the stress of an instant changes little: the nearest one serves
-   * until Newton's method finds it too slow and has one made for its instant.
+   * Caches tangents of power-law creep, each at the stress of an instant of the
+   * period, and their contact systems. From period to period the stress changes
+   * little: the tangent of the nearest instant is used until Newton's method
+   * converges too slowly and requests a new one.
    */
   template <int dim>
   class KeptTangents
@@ -25,7 +25,7 @@ namespace Crevasse
     using System = ContactSystem<dim>;
     using Moduli = PointValues<VoigtMatrix<dim>>;
 
-    /** What it takes to make one. */
+    /** Functions that provide material and system of a tangent. */
     struct Makers
     {
       std::function<const MaterialState<dim> &(const double t)>    material;
@@ -40,26 +40,26 @@ namespace Crevasse
       std::shared_ptr<System> system;
     };
 
-    /** All arguments must outlive this object. */
+    /** The arguments must outlive the KeptTangents. */
     KeptTangents(const Body<dim> &body,
                  const double     period,
                  InstantMemory   &memory,
                  const Makers    &makers);
 
-    /** The one whose instant is nearest; null if there is none. */
+    /** The tangent of the nearest instant; null if there is none. */
     const Kept *
     nearest(const double t) const;
 
-    /** Makes that of a stress at @p t for r = r̂ + c ṙ. It takes the place of
-     * the nearest one if there is no memory for more. Collective. */
+    /** Creates the tangent at a stress at @p t for r = r̂ + c ṙ. It replaces
+     * the nearest tangent if there is no memory for more. Collective. */
     const Kept &
     renew(const double t, const double c, const Vector &stress);
 
-    /** Of all that there were. */
+    /** Statistics of all tangents, past ones included. */
     SolverStatistics
     statistics() const;
 
-    /** Shows of what they are made, and the state of their contact solvers. */
+    /** Serialises the tangents and the state of their contact solvers. */
     void
     serialize(StateArchive &archive);
 
@@ -76,7 +76,7 @@ namespace Crevasse
     InstantMemory   &memory;
     const Makers     makers;
 
-    Tangents         tangents; ///< by their instants
+    Tangents         tangents; ///< tangents by instant
     SolverStatistics of_the_past;
   };
 } // namespace Crevasse

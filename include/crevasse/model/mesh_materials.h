@@ -9,13 +9,13 @@
 
 namespace Crevasse
 {
-  /** @throw SceneError if a formula of the material compares with a material id
-   * that no cell has. */
+  /** Checks formulas of the material. @throw SceneError if one compares with a
+   * material id that no cell has. */
   template <int dim>
   void
   require_materials(const Scene &scene, const Mesh<dim> &mesh);
 
-  /** All material ids with their names and cells: "1 (blade): 24 cells, 2: 8
+  /** Lists material ids with their names and cells: "1 (blade): 24 cells, 2: 8
    * cells". Collective. */
   template <int dim>
   std::string

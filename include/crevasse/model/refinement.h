@@ -12,30 +12,31 @@
 
 namespace Crevasse
 {
-  /** The finest level of a mesh: beyond it the coordinates of the cells, and of
-   * p4est's quadrants, are not told apart. */
+  /** The finest level of a mesh: beyond it neither coordinates of cells nor
+   * p4est's quadrants are distinct. */
   template <int dim>
   constexpr unsigned int finest_level = dim == 2 ? 26 : 16;
 
-  /** Flags the cells at cracks that are coarser than those on the other lip,
-   * whose faces must lie on one another. Collective.
-   * @return whether there are any: then the mesh is to be changed again. */
+  /** Flags cells at cracks that are coarser than the cells on the other lip, as
+   * faces of both lips must match. Collective.
+   * @return whether any is flagged: then the mesh must be changed again. */
   template <int dim>
   bool
   flag_unmatched_lips(Mesh<dim> &mesh, const BoundaryRoles &roles);
 
-  /** How many unknowns a space on this mesh will have. Collective. */
+  /** Number of unknowns of a space on this mesh. Collective. */
   template <int dim>
   dealii::types::global_dof_index
   count_unknowns(const Mesh<dim> &mesh, const unsigned int degree);
 
   /**
-   * Changes the mesh as flagged and foretells the squares of the estimate:
-   * where the displacement is smooth a child has 2^-(2 degree + dim) of its
-   * parent's; at the front, where it is like √r, 2^-(dim - 1). Beside the front
-   * it is about as where it is smooth. Collective.
+   * Changes the mesh as flagged and predicts the squared errors: where the
+   * displacement is smooth a child has 2^-(2 degree + dim) of its parent's; at
+   * the front, where displacement is ~ √r, 2^-(dim - 1). Beside the front the
+   * factor is about the smooth one. Collective.
    *
-   * @param squares by active cell index, of the mesh before and after. */
+   * @param squares squared errors by active cell index, before and after.
+   */
   template <int dim>
   void
   divide_and_predict(Mesh<dim>             &mesh,
@@ -44,12 +45,11 @@ namespace Crevasse
                      dealii::Vector<float> &squares);
 
   /**
-   * The mesh of Strategy = tip: the cells that touch the front are divided
-   * Cycles times, or as long as there are no more unknowns than wished for.
-   * Collective.
+   * Creates the mesh of Strategy = tip: cells that touch the front are divided
+   * Cycles times, or as long as Target unknowns allows. Collective.
    *
-   * @param make_mesh the mesh to begin with, anew with each call.
-   * @throw SceneError if there is no front, or if the mesh cannot be as fine.
+   * @param make_mesh creates a new initial mesh with each call.
+   * @throw SceneError if there is no front, or if the mesh cannot be so fine.
    */
   template <int dim>
   std::shared_ptr<Mesh<dim>>

@@ -11,15 +11,15 @@
 
 namespace Crevasse
 {
-  /** The viscosities of the branches of a material at the quadrature points,
+  /** Viscosities of the branches of a material at the quadrature points,
    * without the factor η₀. */
   template <int dim>
   struct Viscosity
   {
     using Matrices = PointValues<VoigtMatrix<dim>>;
 
-    /** Collective. @throw NumericalError if a fluidity is singular: then a part
-     * of the strain does not flow at all. */
+    /** Inverts fluidities. Collective. @throw NumericalError if one is
+     * singular, so that a part of the strain does not flow. */
     Viscosity(const Body<dim> &body, const MaterialState<dim> &material)
       : branches(inverses(body, material))
       , sum(branches.front())
@@ -28,11 +28,11 @@ namespace Crevasse
         sum = add(sum, branches[i], body.points.n_local_points);
     }
 
-    std::vector<Matrices> branches; ///< ηᵢ = Hᵢ⁻¹, in the plane in plane stress
-    Matrices              sum; ///< Σ ηᵢ
+    std::vector<Matrices> branches; ///< ηᵢ = Hᵢ⁻¹; plane stress: in plane
+    Matrices              sum;      ///< sum Σ ηᵢ
 
-    /** Sets αᵢ = Hᵢ ηᵢ Dβ of a flow with known β: that is Dβ, and the creep in
-     * thickness with it. */
+    /** Sets the strain rates αᵢ = Hᵢ ηᵢ Dβ of a flow with known β: Dβ and the
+     * creep in thickness direction. */
     void
     set_strain_rates(const Body<dim>          &body,
                      const MaterialState<dim> &material,
@@ -68,8 +68,8 @@ namespace Crevasse
     }
   };
 
-  /** Whether all fluidities have an inverse (in plane stress without the
-   * thickness, in which a plate creeps but bears no stress). Collective. */
+  /** Whether all fluidities are invertible (in plane stress without thickness
+   * direction, in which a plate creeps without stress). Collective. */
   template <int dim>
   bool
   has_viscosity(const Body<dim> &body)

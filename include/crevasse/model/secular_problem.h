@@ -10,28 +10,28 @@
 
 namespace Crevasse
 {
-  /** Whether a scene is computed in the split form, u = βt + q. */
+  /** The split form u = βt + q: whether a scene is computed in it. */
   struct SecularSplit
   {
-    Effects::Effect effect;           ///< on: there is a flow, found on its own
-    bool            is_split = false; ///< whether q is computed, and not u
-    Vector          mean_load;        ///< f̄, where it was needed
-    /** Whether the flow is known by which the steps flow, to rounding (with the
-     * split, that of the mean load as they see it): then the viscous strain of
-     * a periodic motion comes back after a period, but for it. */
+    Effects::Effect effect;           ///< on: flow is solved for
+    bool            is_split = false; ///< computes q, not u
+    Vector          mean_load;        ///< f̄, if needed
+    /** Whether the flow of the steps is known to rounding (in split form: the
+     * flow of the mean load that steps see): then the viscous strain of a
+     * periodic motion returns after a period, except for the flow. */
     bool        strain_returns = false;
-    std::string warning; ///< empty: none
+    std::string warning; ///< for the log; empty: none
   };
 
-  /** Why no secular flow can be split off; empty if it can. Collective. */
+  /** Reason why no secular flow can be split off, or empty. Collective. */
   template <int dim>
   std::string
   secular_obstacle(const Body<dim> &body);
 
   /**
+   * Chooses whether to split off a secular flow. Collective.
    * @param integrator null without viscosity.
-   * @param needs_periodic_strain whether the method splits the flow off in any
-   * case where there is one.
+   * @param needs_periodic_strain whether the method needs every flow split off.
    * @throw SceneError if [Periodic state] Secular split = on, but the material
    * has no secular flow that splits off, or the steps see another mean load
    * than there is.
@@ -50,7 +50,7 @@ namespace Crevasse
    *     ∫ ε(v−β) : η ε(β) ≥ f̄ · (v−β)     for all v ∈ C₀,
    *
    * where f̄ is the mean of the loads divided by η₀, and C₀ the cone of a lip
-   * without gap. What it costs is added to the statistics of the solvers. */
+   * without gap. The cost is added to the statistics of the solvers. */
   template <int dim>
   SecularFlow
   solve_secular_problem(const Body<dim>         &body,

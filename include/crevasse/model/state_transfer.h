@@ -12,15 +12,15 @@
 
 namespace Crevasse
 {
-  /** What says whether a field at quadrature points has come over well. */
+  /** Norms of a field at quadrature points, to check its transfer. */
   template <int dim>
   struct FieldNorms
   {
-    double           l2 = 0.;  ///< the root of ∫ |field|²
-    VoigtVector<dim> integral; ///< of the sum over all branches
+    double           l2 = 0.;  ///< L² norm: root of ∫ |field|²
+    VoigtVector<dim> integral; ///< integral of the branches' sum
   };
 
-  /** Collective. */
+  /** Computes the norms of a field. Collective. */
   template <int dim>
   FieldNorms<dim>
   field_norms(const Space<dim>  &space,
@@ -28,7 +28,7 @@ namespace Crevasse
               const unsigned int n_branches)
   {
     constexpr unsigned int    n = n_stress_components<dim>;
-    std::array<double, n + 1> sums{}; // the integral, then the square
+    std::array<double, n + 1> sums{}; // integrals, then square
     for_each_point(space,
                    dealii::update_JxW_values,
                    [&](const dealii::FEValues<dim> &values,
@@ -57,18 +57,18 @@ namespace Crevasse
   }
 
   /**
-   * Takes displacement and viscous strain over to the mesh that another one
-   * becomes. The viscous strain goes as the polynomials of its cells: divided
-   * cells have the same one, joined cells the nearest one to those of their
-   * parts, which conserves the integral over each cell. The displacement, from
-   * which the next solution only starts, is that of the nodes; coefficients of
+   * Transfers displacement and viscous strain to an adapted mesh. The viscous
+   * strain is a polynomial in each cell: children have the polynomial of their
+   * parent, joined cells the nearest one to those of their parts, which
+   * conserves the integral over each cell. The displacement, only an initial
+   * guess for the next solution, is interpolated at nodes; coefficients of
    * singular functions start at 0.
    */
   template <int dim>
   class StateTransfer
   {
   public:
-    /** @param mesh of the space, which may be flagged already.
+    /** @param mesh of the space; it may be flagged already.
      * @param displacement zero in constrained entries, as everywhere.
      * @param viscous_strain of @p n_branches branches. */
     StateTransfer(Mesh<dim>                  &mesh,
@@ -82,7 +82,7 @@ namespace Crevasse
       , displacement_dofs(mesh)
       , branches(n_branches, polynomials.coefficients())
     {
-      // Numbered as the dofs of the space.
+      // Degrees of freedom are numbered as in the space.
       displacement_dofs.distribute_dofs(space.finite_element);
       nodal = make_vector(displacement_dofs);
       nodal.copy_locally_owned_data_from(space.nodal_values(displacement));
@@ -92,8 +92,8 @@ namespace Crevasse
           space, points, viscous_strain, branches[branch], n_branches, branch);
     }
 
-    /** Changes the mesh as its flags say. Whatever else depends on it must be
-     * gone by then. Collective. */
+    /** Changes the mesh as flagged. All other objects that depend on the mesh
+     * must be destroyed before. Collective. */
     void
     adapt()
     {
@@ -125,9 +125,9 @@ namespace Crevasse
         branch.update_ghost_values();
     }
 
-    /** The fields on the new mesh, or on another one with the same cells on
-     * each rank; the displacement is zero in constrained entries. Both must be
-     * zero, with the layouts of their spaces. */
+    /** Sets the fields on the new mesh, or on another mesh with the same cells
+     * on each rank; displacement is zero in constrained entries. Both fields
+     * must be zero before, with the layouts of their spaces. */
     void
     take(const Space<dim>           &space,
          const QuadratureField<dim> &points,
@@ -160,7 +160,7 @@ namespace Crevasse
     CellPolynomials<dim>    polynomials;
     dealii::DoFHandler<dim> displacement_dofs;
     Vector                  nodal;
-    std::vector<Vector>     branches; ///< coefficients
+    std::vector<Vector>     branches; ///< coefficients of the strain
   };
 } // namespace Crevasse
 

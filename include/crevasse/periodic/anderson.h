@@ -12,35 +12,34 @@
 namespace Crevasse
 {
   /**
-   * The fixed point of the period map r(0) → r(T) (the paper's Remark 2) by
-   * Anderson's acceleration, with the norm of ViscousCoordinates. Each period
-   * starts from the combination of what the last ones ended with. Where a mean
-   * load makes the body flow, the map must be that of the split form: only then
-   * r is periodic.
+   * Finds the fixed point of the period map r(0) → r(T) (the paper's Remark 2)
+   * by Anderson acceleration, in the norm of ViscousCoordinates. Each period
+   * starts from a combination of the final strains of the last periods. If a
+   * mean load makes the body flow, the map must be that of the split form: only
+   * then is r periodic.
    *
-   * Two motions of a body of Maxwell elements, with contact, never move apart
-   * in this norm: the acceleration can tell which combinations are wrong, and
-   * needs no restart. Where the lip stands open, strains that bear no stress
-   * drift under a mean load that closes it. The acceleration follows such
-   * drifts if the strain is known to return.
+   * The distance of two motions of a Maxwell body with contact never grows in
+   * this norm: the acceleration can recognise wrong combinations, and needs no
+   * restart. Where the lip is open, strains without stress drift under a mean
+   * load that closes it. The acceleration follows these drifts if the strain is
+   * known to return.
    *
    * The error of the stress is estimated before the next period is computed:
-   * the step to its start, which the acceleration extrapolates from all that it
-   * remembers, and what it cannot explain, or what the residual stands for
-   * where the slowest point forgets at its own pace; times the change of stress
-   * that the last steps have made. It is not less than what the strain lacks to
-   * return (ReturnDefect), for steps may bear hardly any stress; nor than a
-   * tenth of what the last step has changed. From a start that is the fixed
-   * point but for rounding no step tells anything: then it is the change of
-   * stress from period to period, as if it went on at the slowest point's pace.
+   * the distance to the fixed point, times the largest change of stress per
+   * step of the last periods. The distance is the step to the next start plus
+   * what the acceleration cannot explain, or slowness × residual if that is
+   * larger. The estimate is at least the ReturnDefect, for steps may bear
+   * hardly any stress, and at least a tenth of the last change of stress. If
+   * the start is the fixed point except for rounding, the error is slowness ×
+   * the change of stress from period to period.
    */
   template <int dim>
   class Anderson
   {
   public:
     /** @param slowness 1/(1−λ) with the contraction λ of the slowest point by
-     * itself: that far from the fixed point residuals may be. 1 if it is not
-     * known. */
+     * itself: the largest ratio of the distance from the fixed point to the
+     * residual; 1 if unknown. */
     Anderson(ObservedPeriods<dim>          &periods,
              const ViscousCoordinates<dim> &coordinates,
              const PeriodicStateParameters &parameters,
@@ -55,8 +54,8 @@ namespace Crevasse
     {
     }
 
-    /** Starts from the viscous strain @p r at the beginning of a period, which
-     * afterwards is that at the end of the last one computed. */
+    /** Searches for the periodic state. @param r viscous strain at the
+     * beginning of a period; on return, at the end of the last period. */
     void
     run(Vector &r)
     {
@@ -75,13 +74,13 @@ namespace Crevasse
           r                   = next_strain;
           const double change = periods.compute(r);
           coordinates.from_strain(r, image);
-          // Of steps that are rounding nothing is to be learned.
+          // Steps as small as rounding carry no information.
           const double smallest =
             AndersonAcceleration::accuracy * image.l2_norm();
           const bool has_moved = number > 0 && last_step > smallest;
           if (has_moved && std::isfinite(change))
             changes_per_step.push_back(change / last_step);
-          else if (has_moved) // adaptive steps are not yet the same
+          else if (has_moved) // adaptive steps do not repeat yet
             changes_per_step.clear();
           constexpr unsigned int n_remembered = 3;
           if (changes_per_step.size() > n_remembered)
@@ -132,14 +131,13 @@ namespace Crevasse
       changes_per_step.assign(changes.begin(), changes.end());
     }
 
-    /** Of the stress of the last period, once the step to the next start is
-     * known.
-     * @param change of the stress in that period. */
+    /** Estimated error of the stress of the last period, from the step to the
+     * next start. @param change of the stress in the last period. */
     double
     estimated_error(const double change) const
     {
       constexpr double part_of_change = 0.1;
-      if (last_step == 0.) // The map gives back what it was given.
+      if (last_step == 0.) // The start is a fixed point.
         return 0.;
       if (changes_per_step.size() < 2)
         return std::numeric_limits<double>::quiet_NaN();
@@ -158,12 +156,12 @@ namespace Crevasse
     const double                   slowness;
     AndersonAcceleration           acceleration;
 
-    Vector       start;      ///< of the period, in these coordinates
-    unsigned int number = 0; ///< of the period, from 0
+    Vector       start;      ///< the period's start, as coordinates y
+    unsigned int number = 0; ///< number of the period, from 0
 
-    double             last_residual = 0.; ///< from a start to its image
-    double             last_step     = 0.; ///< from start to start
-    std::deque<double> changes_per_step;   ///< of stress, by the last steps
+    double             last_residual = 0.; ///< distance start–image
+    double             last_step     = 0.; ///< distance to the next start
+    std::deque<double> changes_per_step;   ///< change of stress / step
   };
 } // namespace Crevasse
 

@@ -12,39 +12,39 @@
 namespace Crevasse
 {
   /**
-   * Tells from the changes of a sequence how far it still is from its limit:
-   * if they continue to shrink by λ the rest of them sums up to
+   * Estimates the distance of a sequence to its limit from its changes: if
+   * these continue to shrink by λ, the remaining changes add up to
    *
    *     change × λ / (1 − λ)       (Aitken)
    *
-   * with the largest of the last four ratios for λ: where contact ceases at a
-   * node or two the changes fall once or twice, and then continue as slowly as
-   * before. A change alone says little: a slow approach makes small changes far
-   * from its limit.
+   * Here λ is the largest of the last four ratios of changes: where contact
+   * ceases at a node or two, the changes drop once or twice, and then shrink as
+   * slowly as before. A single change says little: a slow approach has small
+   * changes far from its limit.
    *
-   * What relaxes by a power n of itself decays like (n−1)th roots do, with
-   * ratios that tend to 1: the k-th change is k^(−n/(n−1)), and the rest of
-   * them is n times that sum in the limit.
+   * Stress whose rate of relaxation is its n-th power decays like k^(−1/(n−1)):
+   * the k-th change is k^(−n/(n−1)), with ratios that tend to 1, and the
+   * remaining changes add up to n times Aitken's value in the limit.
    */
   class Contraction
   {
   public:
-    /** @param exponent n; 1: what relaxes is linear. */
+    /** @param exponent n of the power law; 1: relaxation is linear. */
     explicit Contraction(const double exponent = 1.)
       : exponent(exponent)
     {
     }
 
-    /** Takes the next change, relative to the size of what changes.
+    /** Adds the next change, relative to the size of the sequence's terms.
      *
-     * @param counts whether it is one of the sequence: the first, from nothing
-     * at all, is not.
-     * @return the distance to the limit; nan while it cannot be told, because
-     * there is no ratio yet or the changes do not shrink. */
+     * @param counts false for a change from nothing to the first term, which is
+     * not one of the sequence.
+     * @return the distance to the limit; nan if there is no ratio yet or the
+     * changes do not shrink. */
     double
     add(const double change, const bool counts = true);
 
-    /** λ; nan while it cannot be told. */
+    /** Contraction λ, the largest of the last ratios; nan without a ratio. */
     double
     factor() const
     {
@@ -65,14 +65,13 @@ namespace Crevasse
     const double exponent;
 
     std::optional<double> last_change;
-    std::vector<double>   ratios; ///< of the last changes, the newest last
+    std::vector<double>   ratios; ///< ratios of successive changes, newest last
   };
 
-  /** 1/(1−λ) of what relaxes by itself, λ = exp(−T/τ): how many times the next
-   * change it is from its limit.
+  /** 1/(1−λ) with λ = exp(−T/τ): ratio of the distance to the limit to the next
+   * change, for stress that relaxes by itself.
    *
-   * @param relaxed T/τ; less than 1e-4 counts as that: runs are much shorter.
-   */
+   * @param relaxed T/τ, raised to 1e-4 if smaller: runs are much shorter. */
   double
   slowness_of_relaxation(const double relaxed);
 } // namespace Crevasse

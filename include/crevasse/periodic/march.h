@@ -10,17 +10,17 @@
 namespace Crevasse
 {
   /**
-   * The paper's method (§6.2): integrate the Cauchy problem until the stress
-   * repeats. The paper judges by the change of stress from one period to the
-   * next; this one by its Contraction, and unless all of the lip goes on to
-   * open, by what the viscous strain lacks to return (ReturnDefect).
+   * Integrates the Cauchy problem until the stress repeats (the paper's §6.2).
+   * The paper judges by the change of stress from one period to the next;
+   * march() judges by the Contraction of this change and, unless the whole lip
+   * continues to open, by the ReturnDefect of the viscous strain.
    *
    * @param periods which end when the estimated error of the stress, relative
    * to its maximum, is within their tolerance.
    * @param slowness 1/(1−λ) with the contraction λ of the slowest point by
-   * itself: changes may decrease by that ratio in the end. 1: not known.
-   * @param creep_exponent see Contraction.
-   * @param r at the beginning of a period; afterwards at the end of the last.
+   * itself, by which changes may decrease in the end; 1: unknown.
+   * @param creep_exponent the exponent n of Contraction.
+   * @param r viscous strain at the beginning, and on return at the end.
    */
   template <int dim>
   void
@@ -41,7 +41,7 @@ namespace Crevasse
     for (; periods.begins_another(r); is_first = false)
       {
         const double change = periods.compute(r);
-        // max() gives back its first argument if that is nan.
+        // std::max() returns its first argument if that is nan.
         periods.report(periods.has_memory()
                          ? std::max({contraction.add(change, !is_first),
                                      (slowness - 1.) * change,

@@ -18,58 +18,58 @@ namespace Crevasse
   template <int dim>
   class Evolution;
 
-  /** What a search for the periodic state has come to. */
+  /** Results of a search for the periodic state, so far. */
   struct PeriodicResult
   {
     unsigned int periods   = 0;
-    bool         converged = false; ///< within the tolerance, or elastic
-    /** Whether the last two periods had (most of) their samples in common. */
+    bool         converged = false; ///< error within tolerance, or elastic body
+    /** Whether the last two periods had most of their instants in common. */
     bool steps_repeat = true;
-    /** What the strain lacked to return in the last period, see ReturnDefect,
-     * where that counts; else 0. */
+    /** ReturnDefect of the viscous strain over the last period; 0 where it does
+     * not count. */
     double return_defect = 0.;
 
-    // One entry a period, see PeriodReport.
+    // Changes and errors of the stress by period, see PeriodReport.
     std::vector<double> stress_change;
     std::vector<double> stress_error_estimate;
   };
 
-  /** When a search for the periodic state ends. */
+  /** Conditions that end a search for the periodic state. */
   struct SearchLimits
   {
     unsigned int maximum_periods;
-    double       tolerance; ///< for the estimated error of the stress; 0: none
+    double       tolerance; ///< limit of the stress' error estimate; 0: none
   };
 
-  /** What integrates a body over the steps of a period. */
+  /** The objects that integrate a body over the steps of a period. */
   template <int dim>
   struct PeriodIntegration
   {
     Evolution<dim> &evolution;
-    /** Null for a body without viscosity, whose periods are sequences of
-     * elastic states. */
+    /** Time integrator; null for a body without viscosity, whose periods are
+     * sequences of elastic states. */
     Integrator   *integrator;
     StepControl  &step_control;
     StepList     &steps;
-    Checkpointer *checkpointer; ///< called between steps
+    Checkpointer *checkpointer; ///< writes checkpoints between steps
   };
 
   /**
-   * The periods that a method computes, one after the other: each maps
-   * r(0) to r(T) (the paper's Remark 2), is seen by the observers at the
-   * beginning of every step, measured against the one before, and reported once
-   * the method has judged it.
+   * Computes the periods of a search, one after the other. Each maps r(0) to
+   * r(T) (the paper's Remark 2), is shown to the observers at the beginning of
+   * every step, is compared with the period before, and is reported once the
+   * search has estimated its error.
    */
   template <int dim>
   class ObservedPeriods
   {
   public:
-    /** All arguments but the numbers must outlive this object, and so must what
-     * @p integration refers to.
+    /** References and pointers must outlive the ObservedPeriods, including
+     * those in @p integration.
      *
-     * @param before what was computed, and shown, already.
-     * @param is_comparable whether the stress of the first period is compared
-     * with none at all; that of another mesh it cannot be compared with.
+     * @param before results of the periods that were computed and shown before.
+     * @param is_comparable whether the first period is compared with an
+     * unstressed state; false on a new mesh.
      * @param defect null: the strain is not known to return. */
     ObservedPeriods(const PeriodIntegration<dim>  &integration,
                     const std::vector<Observer *> &observers,
@@ -78,60 +78,60 @@ namespace Crevasse
                     const bool                     is_comparable = true,
                     const ReturnDefect<dim>       *defect        = nullptr);
 
-    /** Begins another period, unless the search has converged or as many are
-     * computed as allowed. Between two periods, and at the end of the last one,
-     * a run can be saved and resumed.
+    /** Begins another period, unless the search has converged or computed the
+     * maximum of periods. Between periods, and at the end of the last one, the
+     * run can be saved and resumed.
      *
-     * @param r at the beginning of the period; where a run is resumed, at its
-     * step. Unless steps are adaptive, a run resumed from the end of a search
-     * computes the last period once more: its stresses need not be kept.
+     * @param r viscous strain at the beginning of the period; in a resumed run,
+     * at its step. Unless steps are adaptive, a run resumed from the end of a
+     * search computes the last period again, to save no stresses.
      * @return whether there is a period to compute(). */
     bool
     begins_another(Vector &r);
 
-    /** Whether the body remembers: without viscosity one period tells all. */
+    /** Whether the body is viscous; an elastic one needs a single period. */
     bool
     has_memory() const
     {
       return integration.integrator != nullptr;
     }
 
-    /** Advances @p r over the period that was begun, or over the rest of it.
-     * Returns the change of stress, see PeriodReport; nan if the steps are not
-     * those of the period before. */
+    /** Advances the viscous strain @p r to the end of the period. Returns the
+     * change of stress, see PeriodReport; nan if the steps differ from those of
+     * the period before. */
     double
     compute(Vector &r);
 
-    /** Of the strain over the last period, relative to its largest stress; 0 if
-     * it is not known to return. */
+    /** ReturnDefect over the last period, relative to its largest stress; 0 if
+     * the strain is not known to return. */
     double
     return_defect() const
     {
       return so_far.return_defect;
     }
 
-    /** From now on it need not return where the lip opens, see ReturnDefect. */
+    /** Ignores the ReturnDefect from now on while the whole lip opens. */
     void
     ignore_drift_while_opening()
     {
       ignores_drift = true;
     }
 
-    /** Whether it is known to return. */
+    /** Whether the viscous strain is known to be periodic in the end. */
     bool
     strain_returns() const
     {
       return defect != nullptr;
     }
 
-    /** Ends the period that was computed.
+    /** Reports the computed period to the observers.
      *
-     * @param error_estimate of its stress; nan: it cannot be told. */
+     * @param error_estimate of the period's stress; nan: unknown. */
     void
     report(const double error_estimate);
 
     /** Solves for the state at the end of the last period, which otherwise only
-     * the next period would, and shows it if @p is_shown. */
+     * the next period would; shows it to the observers if @p is_shown. */
     void
     finish(const Vector &r, const bool is_shown = true);
 
@@ -154,20 +154,20 @@ namespace Crevasse
     bool                           is_comparable;
     const ReturnDefect<dim>       *defect;
 
-    /** Whether the search needs no further period, or may have none. */
+    /** Whether the search has converged, or used all its periods. */
     bool
     is_over() const
     {
       return so_far.converged || so_far.periods >= limits.maximum_periods;
     }
 
-    /** All steps of a period from first_step on. */
+    /** Advances @p r over the steps of a period from first_step on. */
     void
     advance(Vector &r);
 
-    /** From the beginning of step @p k to the next one.
+    /** Advances @p r over step @p k.
      *
-     * @param is_shown to the observers. */
+     * @param is_shown whether the observers see the beginning of the step. */
     void
     advance_step(const unsigned int k, Vector &r, const bool is_shown = true);
 
@@ -179,7 +179,7 @@ namespace Crevasse
     void
     replay();
 
-    /** What observers see where step @p k begins, or at the very end. */
+    /** Sample for observers at the beginning of step @p k, or at the end. */
     Sample
     sample(const unsigned int k, const Vector &r) const;
 
@@ -194,25 +194,25 @@ namespace Crevasse
     void
     serialize(StateArchive &archive);
 
-    /** Where step @p k begins. */
+    /** Serialises the state at the beginning of step @p k. */
     void
     serialize_step(StateArchive &archive, unsigned int &k, Vector &r);
 
     StressHistory  history;
-    unsigned int   first_step = 0; ///< of the period, or of what is left of it
+    unsigned int   first_step = 0; ///< first step to compute in the period
     PeriodicResult so_far;
-    PeriodReport   last; ///< not reported yet
-    Vector         rate; ///< at the beginning of a step
+    PeriodReport   last; ///< report on the last period, not yet sent
+    Vector         rate; ///< ṙ at the beginning of a step
 
-    /** Where the last period began, if a checkpoint has this instead of the
-     * stresses of all its steps. */
+    /** Viscous strain at the beginning of the last period, which a checkpoint
+     * may have instead of the stresses of all steps. */
     Vector replay_from;
 
-    Vector r_before, u_before; ///< at the beginning of the period
+    Vector r_before, u_before; ///< r and u at the beginning of the period
     bool   ignores_drift = false;
-    bool   lip_opens     = false; ///< and stands open
+    bool   lip_opens     = false; ///< the whole lip is open and opens
 
-    // Of the period that is being computed, and before it was resumed.
+    // Effort of the current period, including that before it was resumed.
     dealii::Timer            timer;
     std::size_t              solves_before  = 0;
     double                   seconds_before = 0.;

@@ -9,16 +9,16 @@
 
 namespace Crevasse
 {
-  /** By what a run finds its periodic state. */
+  /** The method by which a run finds its periodic state. */
   struct PeriodicChoice
   {
     PeriodicMethodType method              = PeriodicMethodType::march;
     bool               starts_from_fourier = false;
-    /** Whether another method takes over where one fails. */
+    /** Whether another method replaces a method that fails. */
     bool        may_fall_back = false;
     std::string why;
-    /** The method to try where this one fails, in words; empty: there is none
-     * that this scene allows. */
+    /** Advice which method to try if this one fails; empty if the scene allows
+     * no other. */
     std::string alternative;
 
     /** Whether harmonic balance is used. */
@@ -28,21 +28,21 @@ namespace Crevasse
       return starts_from_fourier || method == PeriodicMethodType::fourier;
     }
 
-    /** Whether r must be periodic, and so a secular flow split off. */
+    /** Whether the viscous strain must be periodic, without secular flow. */
     bool
     needs_periodic_strain() const
     {
       return method != PeriodicMethodType::march;
     }
 
-    /** Whether only the last period is one of the body. */
+    /** Whether earlier periods are iterates of the search, not motions. */
     bool
     periods_are_iterates() const
     {
       return method == PeriodicMethodType::anderson;
     }
 
-    /** One line for the log. */
+    /** Method and reason, one line for the log. */
     std::string
     describe() const
     {
@@ -53,15 +53,15 @@ namespace Crevasse
   };
 
   /**
-   * What the scene asks for; "automatic" takes harmonic balance where nothing
-   * but the loads depends on time, as a start for schemes other than its own,
-   * and else Anderson's acceleration, unless r may flow in an unknown way.
-   * Collective.
+   * Chooses the method that the scene asks for. "automatic" takes harmonic
+   * balance if only the loads depend on time (as a mere start for schemes other
+   * than the trapezoidal one); else Anderson acceleration, or march if r may
+   * flow in an unknown way. Collective.
    *
-   * @param steps whose jumps are marked.
-   * @param largest_relaxation_time Stress that is forgotten within a period
-   * needs no start.
-   * @throw SceneError if the scene asks for a method that cannot do it.
+   * @param steps with their jumps marked.
+   * @param largest_relaxation_time if stress relaxes within a period, Anderson
+   * acceleration needs no start.
+   * @throw SceneError if the scene asks for a method that cannot solve it.
    */
   template <int dim>
   PeriodicChoice

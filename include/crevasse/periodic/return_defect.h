@@ -12,23 +12,23 @@
 namespace Crevasse
 {
   /**
-   * How far a viscous strain is from being where it was a period before, as an
-   * error of the stress: with η ṙ = s,
+   * Change of the viscous strain over a period, as an error of the stress. With
+   * η ṙ = s,
    *
    *     r(T) − r(0) = T η⁻¹ s̄,
    *
-   * so that a stress of which the mean is wrong by δs̄ leaves T η⁻¹ δs̄ (where
-   * there is a secular flow: besides T α). In turn δs̄ is K times what is left,
-   * at most, times τ/T; which 1/(1−exp(−T/τ)) stands for. Where a lip is
-   * pressed for a tenth of the period, which steps resolve, its pressure is
-   * wrong by ten times that. Unlike a change of stress it does not vanish where
-   * a strain continues to creep without bearing stress until a lip touches.
+   * so an error δs̄ of the mean stress changes r by T η⁻¹ δs̄ (besides T α, if
+   * there is a secular flow). In turn δs̄ is at most K times this change times
+   * τ/T, for which 1/(1−exp(−T/τ)) stands. Where a lip is pressed for a tenth
+   * of the period, which steps resolve, the error of its pressure is ten times
+   * δs̄. Unlike a change of stress, the defect does not vanish where a strain
+   * creeps without stress until the lip closes.
    */
   template <int dim>
   struct ReturnDefect
   {
-    /** The largest component of that stress at all points, relative to
-     * that of the stress itself; 0 if it is rounding. Collective. */
+    /** Largest component of δs̄ at all points, relative to @p largest_stress; 0
+     * if it is rounding. Collective. */
     double
     operator()(const Vector &before,
                const Vector &after,
@@ -36,7 +36,7 @@ namespace Crevasse
     {
       using Field               = QuadratureField<dim>;
       constexpr double rounding = 1e-12, resolved = 10.;
-      // What is left, what it is left of, and what it makes of the mean stress.
+      // Largest stress of the change and of the strain; error of the mean.
       double      largest[3] = {};
       std::size_t offset     = 0;
       for (std::size_t point = 0; point < n_points; ++point)
@@ -57,7 +57,7 @@ namespace Crevasse
             largest[1] = std::max(largest[1], largest_entry(K * strain));
             if (size > 0.)
               {
-                // Rounding of the mean stress leaves T/τ times that.
+                // Rounding of the mean stress changes r by T/τ times as much.
                 const double rate = relaxed / size;
                 largest[0] = std::max(largest[0], size / std::max(1., rate));
                 largest[2] =
@@ -73,10 +73,10 @@ namespace Crevasse
       return resolved * largest[2] / largest_stress;
     }
 
-    /** Whether all of the lip stands open and opens from the one displacement
-     * to the next, a period later: a strain that bears no stress brings it no
-     * nearer to contact then, and what bears stress shows by its change. Not so
-     * with an elastic spring, in which all strain makes stress. Collective. */
+    /** Whether the whole lip is open and opens further from @p before to @p
+     * after, a period later. Then strain without stress brings no contact
+     * nearer, and strain with stress shows in the change of stress. False with
+     * an elastic spring, in which all strain causes stress. Collective. */
     bool
     lip_opens(const Vector &before, const Vector &after) const
     {
@@ -98,16 +98,16 @@ namespace Crevasse
                                          after.get_mpi_communicator()) == 1;
     }
 
-    const std::size_t n_points; ///< of this rank
-    /** That makes it a stress; of what varies in time, at one instant. */
+    const std::size_t n_points; ///< quadrature points of this rank
+    /** Material that turns strain into stress; if it varies, at one instant. */
     const MaterialState<dim> &material;
-    const SecularFlow        *flow;     ///< that goes on besides; null: none
-    const bool                is_split; ///< whether that is not in the strain
+    const SecularFlow        *flow;     ///< secular flow; null: none
+    const bool                is_split; ///< the strain lacks the flow
     /** Mean of 1/η₀ over the period, instead of that of the instant: the strain
-     * flows by all of it. */
+     * flows during the whole period. */
     const double            mean_fluidity_factor;
     const double            period;
-    const UnilateralBounds &bounds; ///< of the lip
+    const UnilateralBounds &bounds; ///< contact bounds of the lip
 
   private:
     template <int n>

@@ -10,38 +10,38 @@
 
 namespace Crevasse
 {
-  /** A part of a run on one mesh. */
+  /** Stage of a run: its periods on one mesh. */
   struct MeshStage
   {
-    /** After which it ends if the run has not. */
+    /** Last period of the stage, unless the run ends before. */
     unsigned int last_period = std::numeric_limits<unsigned int>::max();
-    /** Whether the run is over: periodic, or out of periods. */
+    /** Whether the run ends with this stage: periodic, or out of periods. */
     bool ends_run = false;
   };
 
   /**
-   * What a run has come to at the end of a period: the state of the body, from
-   * which it goes on wherever and on whatever mesh, and what its summary will
-   * tell of the periods before. By itself it is a run that has not begun.
+   * State of a run at the end of a period: the state of the body, from which
+   * the run continues with any method on any mesh, and results of the periods
+   * so far for the summary. By default, a run that has not begun.
    */
   struct RunState
   {
-    PeriodicResult result; ///< of the periods so far
+    PeriodicResult result; ///< results of the periods so far
 
-    // On the mesh of the moment; empty at rest.
-    Vector viscous_strain; ///< see QuadratureField
-    Vector displacement;   ///< zero in constrained entries
+    // Fields on the current mesh; empty at rest.
+    Vector viscous_strain; ///< r at points, see QuadratureField
+    Vector displacement;   ///< q; zero in constrained entries
 
     SolverStatistics solvers;
     double           largest_stress       = 0.;
     double           largest_displacement = 0.;
     double           largest_opening      = 0.;
 
-    bool      fourier_failed = false; ///< on this mesh
-    bool      was_resumed    = false; ///< this stage of the run
+    bool      fourier_failed = false; ///< Fourier failed on this mesh
+    bool      was_resumed    = false; ///< resumed in this stage
     MeshStage stage;
 
-    dealii::Timer timer; ///< since the set-up of the meshes
+    dealii::Timer timer; ///< runs since the set-up of the meshes
 
     bool
     has_begun() const
@@ -49,15 +49,15 @@ namespace Crevasse
       return result.periods > 0;
     }
 
-    /** Whether tables were begun, which go on. */
+    /** Whether the tables already exist, so that the run appends to them. */
     bool
     has_tables() const
     {
       return has_begun() || was_resumed;
     }
 
-    /** Shows what its stopwatches have measured, and all but the fields and
-     * what belongs to the stage. */
+    /** Serialises results and readings of the stopwatches, without the fields
+     * and the members of the current stage. */
     void
     serialize(StateArchive &archive)
     {

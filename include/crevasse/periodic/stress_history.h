@@ -12,27 +12,27 @@ namespace Crevasse
 {
   class StateArchive;
 
-  /** The stress at all samples of one period, and how much each differs from
-   * the sample that it replaces: that of the same instant. */
+  /** Stress at all samples of a period, and its changes from the samples at the
+   * same instants of the period before. */
   class StressHistory
   {
   public:
-    /** @param period Instants are the same if they differ by rounding of it. */
+    /** @param period of the loads; instants equal to rounding are the same. */
     explicit StressHistory(const double period);
 
-    /** @param t The instant within the period. */
+    /** Records the stress at the instant @p t of the period. */
     void
     record(const double t, const Vector &stress);
 
-    /** Ends a period. Largest change since the last call, relative to the
-     * largest stress component (0 if all stress is zero), over all ranks, and
-     * over those instants that the period before had too. What is new is
-     * compared with an unstressed state in the first period only. */
+    /** Ends a period and returns the largest change of stress since the last
+     * call, relative to the largest stress component (0 if all stress is zero),
+     * over all ranks and all instants that the period before had too. In the
+     * first period stress is compared with an unstressed state. */
     double
     take_change();
 
-    /** Whether at least three quarters of the instants of the last period were
-     * those of the period before: else its change says little. */
+    /** Whether at least three quarters of the last period's instants were those
+     * of the period before; otherwise the change of stress says little. */
     bool
     is_comparable() const
     {
@@ -59,8 +59,8 @@ namespace Crevasse
 
     const double            rounding;
     std::map<double, Entry> samples;
-    unsigned int            periods    = 0; ///< that have ended
-    std::size_t             n_new      = 0; ///< instants of this period
+    unsigned int            periods    = 0; ///< periods that have ended
+    std::size_t             n_new      = 0; ///< new instants of this period
     bool                    comparable = true;
 
     MPI_Comm communicator    = MPI_COMM_SELF;

@@ -11,27 +11,27 @@
 namespace Crevasse
 {
   /**
-   * Coordinates y of a viscous strain in which the Euclidean norm is that of
-   * the work of making it creep within a period,
+   * Coordinates y of a viscous strain r, whose Euclidean norm is the work of
+   * creeping by r within a period,
    *
-   *     |y|² = Σᵢ ∫ rᵢ : (ηᵢ / T) rᵢ,
+   *     |y|² = Σᵢ ∫ rᵢ : (ηᵢ / T) rᵢ.
    *
-   * in which two motions of the body never move apart. In plane stress the
-   * creep in thickness, which bears no stress, counts for nothing but is
-   * carried along. ηᵢ is limited to 1e4 T wᵢ K.
+   * The distance of two motions of the body never grows in this norm. In plane
+   * stress the creep in thickness direction, which bears no stress, is kept but
+   * has negligible weight. ηᵢ is limited to 1e4 T wᵢ K.
    */
   template <int dim>
   class ViscousCoordinates
   {
   public:
-    /** @param material whose fluidity is that of the norm.
+    /** @param material with the fluidity of the norm.
      * @param creep_time the period, times the mean of 1/η₀ over it. */
     ViscousCoordinates(const Space<dim>           &space,
                        const QuadratureField<dim> &points,
                        const MaterialState<dim>   &material,
                        const double                creep_time)
     {
-      constexpr double least = 1e-4; // of what relaxes within a period
+      constexpr double least = 1e-4; // least T/τ that counts
       for (std::size_t i = 0; i < material.fractions.size(); ++i)
         {
           const double w = material.fractions[i];
@@ -57,7 +57,7 @@ namespace Crevasse
                      });
     }
 
-    /** y, with the layout of r. */
+    /** Computes coordinates y, with the layout of r. */
     void
     from_strain(const Vector &r, Vector &y) const
     {
@@ -71,8 +71,8 @@ namespace Crevasse
     }
 
   private:
-    /** Lᵀ with η = L Lᵀ. Where η has no 33 row, one that counts for nothing
-     * takes its place: the matrix must have an inverse. */
+    /** Cholesky factor Lᵀ with η = L Lᵀ. If the 33 row of η is zero, a
+     * negligible entry replaces it, so that the matrix has an inverse. */
     static VoigtMatrix<dim>
     root(const VoigtMatrix<dim> &eta)
     {
@@ -94,7 +94,7 @@ namespace Crevasse
       return upper;
     }
 
-    /** Of an upper triangular matrix, column by column from below. */
+    /** Inverse of an upper triangular matrix, by columns from below. */
     static VoigtMatrix<dim>
     inverse_of_upper(const VoigtMatrix<dim> &upper)
     {
@@ -133,9 +133,9 @@ namespace Crevasse
     }
 
     std::vector<double> weights; ///< √(det J × weight) of each point
-    // For each branch
-    std::vector<Matrices> roots;    ///< Lᵀ with ηᵢ / T = L Lᵀ
-    std::vector<Matrices> inverses; ///< L⁻ᵀ
+    // Matrices of each branch
+    std::vector<Matrices> roots;    ///< roots Lᵀ, ηᵢ / T = L Lᵀ
+    std::vector<Matrices> inverses; ///< inverse roots L⁻ᵀ
   };
 } // namespace Crevasse
 

@@ -11,35 +11,34 @@
 
 namespace Crevasse
 {
-  /** K_I along the crack fronts of one run in space, and of cracks with two
-   * lips K_II and K_III. */
+  /** Computes K_I along the crack fronts of a run in space, and K_II and K_III
+   * for cracks with two lips. */
   class CrackFrontAnalysis
   {
   public:
-    /** Finds what is wrong with the fronts, before anything is computed.
-     * Collective. Arguments must outlive this object.
-     * @throw SceneError */
+    /** Checks that the fronts have a K, before the run. Collective. The
+     * arguments must outlive the CrackFrontAnalysis. @throw SceneError */
     CrackFrontAnalysis(const Scene    &scene,
                        const Body<3>  &body,
                        const StepList &steps);
 
-    /** One line for the log. */
+    /** Describes the method in one line for the log. */
     std::string
     describe() const;
 
-    /** At a vertex of the front; the error is the difference between two sizes
-     * of the tube. */
+    /** K at a vertex of the front; the error is the difference between two
+     * sizes of the tube. */
     struct Estimate
     {
-      std::array<double, 3> intensity, error; ///< of each of names()
+      std::array<double, 3> intensity, error; ///< for each mode in names()
       double                release_rate;
     };
 
-    /** At all vertices. Collective. @param t within the period. */
+    /** Estimates at all vertices. Collective. @param t within the period. */
     std::vector<Estimate>
     evaluate(const double t, const Sample &sample) const;
 
-    /** "K_I", … */
+    /** Names of the computed modes: "K_I", … */
     std::vector<std::string>
     names() const
     {
@@ -63,16 +62,16 @@ namespace Crevasse
     void
     require_no_force_at_front(const Scene &scene, const StepList &steps) const;
 
-    /** By vertex, whether K_I is 0, as StressIntensity::stays_closed at a tip:
-     * whether the nearest node of the lips is pressed. Collective. */
+    /** Whether K_I is 0 at each vertex, because the nearest node of the lips is
+     * closed; see StressIntensity::stays_closed(). Collective. */
     std::vector<bool>
     stay_closed(const State &state) const;
 
-    /** What the points in the tube share; none if they differ. Collective. */
+    /** Common matrix of all points in the tube, if they agree. Collective. */
     std::optional<VoigtMatrix<3>>
     uniform_in_tube(const PointValues<VoigtMatrix<3>> &matrices) const;
 
-    /** Over the larger and the smaller tube, of each mode. */
+    /** Integrals over the larger and the smaller tube, for each mode. */
     std::vector<std::pair<FrontIntegral, FrontIntegral>> integrals;
   };
 } // namespace Crevasse

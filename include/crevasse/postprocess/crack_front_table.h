@@ -13,14 +13,13 @@
 
 namespace Crevasse
 {
-  /** crack_front.csv: K_I, of two lips also K_II and K_III, at the vertices of
-   * the front at each step of the last period, written when the run ends.
-   * Errors are differences between two sizes of the tube; they are no bounds.
-   */
+  /** crack_front.csv: K_I, with two lips also K_II and K_III, at the vertices
+   * of the front at each step of the last period, written when the run ends.
+   * Errors are differences between two sizes of the tube, not bounds. */
   class CrackFrontTable : public Observer
   {
   public:
-    /** References must outlive this object.
+    /** References must outlive the CrackFrontTable.
      * @param file_name empty on ranks that do not write. */
     CrackFrontTable(const CrackFrontAnalysis &analysis,
                     const StepList           &steps,
@@ -152,7 +151,7 @@ namespace Crevasse
     const std::string         file_name;
     Log                      &log;
 
-    // Of the last period, by vertex and then by step.
+    // Times and values in the last period; vertices vary before steps.
     std::vector<double>                       times;
     std::vector<CrackFrontAnalysis::Estimate> values;
   };

@@ -12,12 +12,12 @@
 
 namespace Crevasse
 {
-  /** All that is read off at a crack tip of one run. */
+  /** All results at a crack tip of one run. */
   class CrackTipAnalysis
   {
   public:
-    /** Finds what is wrong with the tip, before anything is computed.
-     * Collective. Arguments must outlive this object.
+    /** Checks the tip before the run. Collective. The arguments must outlive
+     * the CrackTipAnalysis.
      * @throw SceneError */
     CrackTipAnalysis(const Scene                                &scene,
                      const Body<2>                              &body,
@@ -26,23 +26,23 @@ namespace Crevasse
                      const StepList                             &steps,
                      const std::shared_ptr<const PointGeometry> &geometry);
 
-    /** One line for the log. */
+    /** Describes the methods in one line for the log. */
     std::string
     describe() const;
 
-    /** C* = Σ K²/E'_η over the modes with the K of the mean stress, which is η
-     * times the strain rate of the flow. */
+    /** Rate C* = Σ K²/E'_η over the modes with the K of the mean stress, which
+     * is η times the strain rate of the flow. */
     std::optional<double>
     c_star(const std::optional<SecularFlow> &flow) const;
 
-    /** Of the coefficient of the singular function with unit K in this mode; 0
-     * without has_singular_functions. Collective. */
+    /** K by the coefficient of the singular function with unit K in this mode;
+     * 0 without has_singular_functions. Collective. */
     double
     of_singular_function(const CrackMode         mode,
                          const Vector           &displacement,
                          const MaterialState<2> &material) const;
 
-    /** Adds C* and what the growth law makes of a history, and prints them.
+    /** Adds C* and the growth of a history to the summary and the log.
      * @param title of lines in the log. */
     void
     summarise_growth(const TipHistory  &history,
@@ -56,29 +56,29 @@ namespace Crevasse
     const StrainEnergy    energy;
     /** Whether the coefficients of singular functions are intensities. */
     const bool  has_singular_functions;
-    std::string no_c_star; ///< why; empty: it is known
+    std::string no_c_star; ///< reason; empty: it is known
 
   private:
-    /** What hinders C* from being known; empty: nothing. Finds the square of
-     * the viscosity. */
+    /** Reason why C* is unknown; empty: it is known. Finds the square with
+     * uniform viscosity. */
     std::string
     find_viscous_region(const SecularSplit &split);
 
-    std::optional<Viscosity<2>>       viscosity;      ///< if there is a C*
-    std::optional<TipRegion::Uniform> viscous_region; ///< likewise
+    std::optional<Viscosity<2>>       viscosity;      ///< null without C*
+    std::optional<TipRegion::Uniform> viscous_region; ///< null without C*
     const bool                        mean_load_vanishes;
   };
 
-  /** @throw SceneError if a point support at the tip has to bear loads. */
+  /** @throw SceneError if the loads need a point support at the tip. */
   void
   require_no_force_at_tip(const Scene     &scene,
                           const Body<2>   &body,
                           const TipRegion &region,
                           const StepList  &steps);
 
-  /** The one tip of a half model, or each tip with two lips. Collective.
-   * Arguments must outlive what is returned.
-   * @param[out] without Tips without K, each with the reason.
+  /** Analyses the tip of a half model, or each tip with two lips. Collective.
+   * The arguments must outlive the result.
+   * @param[out] without tips without K, each with the reason.
    * @throw SceneError */
   std::vector<std::unique_ptr<const CrackTipAnalysis>>
   analyse_crack_tips(const Scene          &scene,

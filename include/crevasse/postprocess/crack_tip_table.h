@@ -16,14 +16,14 @@ namespace Crevasse
 
 
   /**
-   * crack_tip.csv: what is read off at the crack tip at each accepted step.
+   * crack_tip.csv: results at the crack tip at each accepted step.
    *
    * See StressIntensity::Estimate for K_I and K_I_stress. K_I_singular is the
    * coefficient of the singular function that opens the crack, of an elastic
-   * body. K_I_error is the error there, or |K_I| times the relative error of
-   * the elastic energy as StressEstimator has it in the cells around the tip,
-   * if that is larger; where integral and fit differ by more, up to four times
-   * this. It is no bound.
+   * body. K_I_error is the error of the Estimate, or if larger |K_I| times the
+   * relative error of the elastic energy that StressEstimator finds in the
+   * cells around the tip; up to four times this if integral and fit differ by
+   * more. It is not a bound.
    */
   class CrackTipTable : public TipTable<CrackTipValues>
   {
@@ -41,7 +41,7 @@ namespace Crevasse
       return columns;
     }
 
-    /** Adds "crack_tip" to the summary and prints a few lines. */
+    /** Adds "crack_tip" to the summary, and a few lines to the log. */
     void
     summarise(Summary &summary) override
     {

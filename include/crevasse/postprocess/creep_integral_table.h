@@ -14,19 +14,19 @@
 namespace Crevasse
 {
   /**
-   * creep_integral.csv: C(t) at each accepted step, and its error as two
-   * squares and two differences in time show it.
+   * creep_integral.csv: C(t) at each accepted step, with the error that two
+   * squares and two differences in time show.
    *
    * The velocity is the difference of second order over the last two steps;
-   * there is no row before two steps are done after a jump. Where that of first
-   * order differs by a part δ from it, its own error is of the order of δ².
+   * there is no row before two steps are done after a jump. If the difference
+   * of first order deviates by a part δ, the error is of order δ².
    */
   class CreepIntegralTable : public Observer
   {
   public:
-    /** References must outlive this object. Collective.
+    /** References must outlive the CreepIntegralTable. Collective.
      *
-     * @param periods_are_iterates so that the state jumps between them.
+     * @param periods_are_iterates whether the state jumps between periods.
      * @param table with the columns t, C_t, C_t_error. */
     CreepIntegralTable(const Scene         &scene,
                        const CreepIntegral &integral,
@@ -89,7 +89,7 @@ namespace Crevasse
         }
     }
 
-    /** Adds to "creep_integrals" in the summary and prints a few lines. */
+    /** Adds "creep_integrals" to the summary, and a few lines to the log. */
     void
     summarise(Summary &summary) override
     {
@@ -101,7 +101,7 @@ namespace Crevasse
       if (largest == C.end() || std::isnan(*largest))
         return;
       std::size_t last = C.size() - 1;
-      while (std::isnan(C[last])) // a jump
+      while (std::isnan(C[last])) // no C after a jump
         --last;
       const std::string title =
         "  crack tip " + Text::from_point(integral.region.tip.position) + ": ";
@@ -123,7 +123,7 @@ namespace Crevasse
     }
 
   private:
-    /** C(t) and its error. */
+    /** Computes C(t) and its error. */
     std::array<double, 2>
     evaluate(const Sample &sample) const
     {
@@ -141,7 +141,7 @@ namespace Crevasse
       const auto   value = over_squares(
         {{1. / h + 1. / sum, -1. / h - 1. / h_before, h / (h_before * sum)}});
       const double change = over_squares({{1. / h, -1. / h, 0.}})[0] - value[0];
-      constexpr double factor = 3.; // of δ², for powers of time
+      constexpr double factor = 3.; // factor of δ², for powers of time
       return {
         {value[0],
          std::max(std::abs(value[1] - value[0]),
@@ -158,10 +158,10 @@ namespace Crevasse
     const bool                periods_are_iterates;
     Log                      &log;
     CsvTable                  table;
-    TipHistory                history; ///< of the last period
+    TipHistory                history; ///< C(t) in the last period
     std::vector<double>       errors;
     unsigned int              n_before = 0;
-    std::array<Vector, 2>     before; ///< displacements, the last one first
+    std::array<Vector, 2>     before; ///< displacements, newest first
     std::array<double, 2>     times{};
   };
 } // namespace Crevasse

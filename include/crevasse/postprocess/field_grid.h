@@ -11,14 +11,14 @@
 
 namespace Crevasse
 {
-  /** What fields are written on: a point for each node and each material that
-   * meets there, of the cells of this rank, and linear cells between the nodes
-   * of a cell. */
+  /** Grid on which fields are written: a point for each node and each adjacent
+   * material, of the cells of this rank, and linear cells between the nodes of
+   * a cell. */
   template <int dim>
   class FieldGrid
   {
   public:
-    /** @param recovery must outlive this object. */
+    /** @param recovery must outlive the FieldGrid. */
     FieldGrid(const Space<dim> &space, const StressRecovery<dim> &recovery)
       : recovery(recovery)
       , nodes_per_cell(recovery.dof_handler.get_fe().n_dofs_per_cell())
@@ -32,7 +32,7 @@ namespace Crevasse
                                     fe.get_unit_support_points()),
                                   dealii::update_quadrature_points);
       std::vector<dealii::types::global_dof_index> dofs(nodes_per_cell);
-      // The points by material and dof.
+      // Indices of points, by material and degree of freedom.
       std::map<
         unsigned int,
         std::unordered_map<dealii::types::global_dof_index, unsigned int>>
@@ -65,9 +65,9 @@ namespace Crevasse
       return coordinates.size() / 3;
     }
 
-    /** Of values at the nodes, with ghosts.
-     * @param n 3: a vector; 1: what nodes of the lip have in one of their
-     * degrees of freedom, with zeros in the others. */
+    /** Array of values at the nodes, with ghosts.
+     * @param n 3: a vector; 1: a scalar on the lip, given in one degree of
+     * freedom of each node, with zeros in the others. */
     PointArray
     nodal(const std::string             &name,
           const unsigned int             n,
@@ -90,7 +90,7 @@ namespace Crevasse
       return array;
     }
 
-    /** Of a field at quadrature points. Collective. */
+    /** Recovers a field at quadrature points to the points. Collective. */
     std::vector<VoigtVector<dim>>
     recovered(const Vector &field) const
     {
@@ -104,7 +104,7 @@ namespace Crevasse
       return values;
     }
 
-    /** @param value of the number of a point and that of a component */
+    /** Array of n components. @param value function of point and component. */
     template <typename Value>
     PointArray
     array(const std::string &name,
@@ -118,12 +118,12 @@ namespace Crevasse
       return array;
     }
 
-    /** Of values at the points. */
+    /** Array of symmetric tensors at the points. */
     PointArray
     tensor(const std::string                   &name,
            const std::vector<VoigtVector<dim>> &values) const
     {
-      // 11, 22, 33, 12, 23, 13 in VTK's order; those that vanish are 0.
+      // VTK's order is 11, 22, 33, 12, 23, 13; missing components are 0.
       constexpr std::array<unsigned int, 6> component = {{0, 1, 2, 3, 5, 4}};
       return array(name, 6, [&](const std::size_t p, const unsigned int c) {
         return component[c] < n_stress_components<dim> ? values[p][component[c]]
@@ -138,8 +138,8 @@ namespace Crevasse
     }
 
   private:
-    /** The nodes of an element that are the corners, in VTK's order, of the
-     * linear cells between its nodes. */
+    /** Nodes of an element at the corners, in VTK's order, of the linear cells
+     * between its nodes. */
     static std::vector<unsigned int>
     corners_between_nodes(const unsigned int degree)
     {
@@ -152,7 +152,7 @@ namespace Crevasse
           for (unsigned int x = 0; x < degree; ++x)
             for (unsigned int v = 0; v < (1 << dim); ++v)
               {
-                const unsigned int vtk = v ^ (v >> 1 & 1); // goes round
+                const unsigned int vtk = v ^ (v >> 1 & 1); // counter-clockwise
                 corners.push_back(
                   nodes[x + (vtk & 1) +
                         n * (y + (vtk >> 1 & 1) + n * (z + (vtk >> 2)))]);
@@ -169,10 +169,10 @@ namespace Crevasse
 
     const StressRecovery<dim> &recovery;
     const std::size_t          nodes_per_cell;
-    std::vector<unsigned int>  points; ///< of nodes, by active cell index
+    std::vector<unsigned int>  points; ///< point of each node, by cell
     std::vector<float>         coordinates;
     std::vector<std::int32_t>  corners;
-    std::vector<std::int32_t>  materials; ///< of the linear cells
+    std::vector<std::int32_t>  materials; ///< by linear cell
   };
 } // namespace Crevasse
 

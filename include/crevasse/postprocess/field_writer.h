@@ -13,25 +13,25 @@
 
 namespace Crevasse
 {
-  /** Where in a period a FieldWriter keeps the state. */
+  /** Instants of a period at which a FieldWriter keeps the state. */
   struct FieldInstants
   {
-    bool             all = false; ///< steps
-    std::set<double> chosen;      ///< of steps, the end of the period included
-    /** Numbers of the sample that is observed, nan for none: its state is kept
-     * where one of them is largest in the period. */
+    bool             all = false; ///< keep all steps
+    std::set<double> chosen;      ///< instants of steps or end of period
+    /** Quantities of a sample, nan for none: states are kept at the largest
+     * value of each quantity in the period. */
     std::vector<std::function<double(const Sample &)>> followed;
   };
 
   /**
-   * Fields for ParaView at chosen instants of the last period and at the end
-   * of the run. Which period is the last is known only after it, so that the
-   * states are kept in memory and written by summarise().
+   * Writes fields for ParaView at chosen instants of the last period and at the
+   * end of the run. The last period is known only after it, so that states are
+   * kept in memory and written by summarise().
    *
-   * Point data, named as here: displacement; stress, recovered, and
-   * viscous_strain, the tensor r (the shear component r_12 is half the
-   * engineering shear strain 2 r_12), as symmetric tensors; principal_stress_1,
-   * … and principal_direction_1, … in the plane of the mesh, the largest first;
+   * Names of point data: displacement; stress, recovered, and viscous_strain,
+   * the tensor r (the shear component r_12 is half the engineering shear strain
+   * 2 r_12), as symmetric tensors; principal_stress_1, … and
+   * principal_direction_1, … in the plane of the mesh, the largest first;
    * second_deviator_invariant; von_mises_stress; contact_pressure and opening;
    * temperature, recovered like the stress. Cell data: material_id.
    */
@@ -39,7 +39,7 @@ namespace Crevasse
   class FieldWriter : public Observer
   {
   public:
-    /** References must outlive this object. */
+    /** References must outlive the FieldWriter. */
     FieldWriter(const Body<dim>           &body,
                 const StressRecovery<dim> &recovery,
                 const StepList            &steps,
@@ -73,7 +73,7 @@ namespace Crevasse
       Vector viscous_strain;
     };
 
-    /** Whether the sample is kept; forgets those that no longer are. */
+    /** Whether to keep the sample; deletes snapshots no longer wanted. */
     bool
     is_wanted(const Sample &sample);
 
@@ -82,8 +82,7 @@ namespace Crevasse
               const Snapshot       &snapshot,
               const FieldGrid<dim> &grid) const;
 
-    /** At quadrature points, in the place of the first component of a stress.
-     */
+    /** Temperature at quadrature points, as the first component of a stress. */
     Vector
     temperature(const double t) const;
 
@@ -94,11 +93,11 @@ namespace Crevasse
     const std::string          directory;
     Log                       &log;
 
-    /** By instant, so that a period replaces the one before. */
+    /** States by instant, so that a period replaces the period before. */
     std::map<double, Snapshot> snapshots;
 
-    /** The largest value of a followed number in the period so far, its largest
-     * absolute value, and the instant of the former; -1: none. */
+    /** Largest value of a followed quantity in the period so far, its largest
+     * absolute value, and the instant of the largest value; -1: none. */
     struct Extreme
     {
       double value = std::numeric_limits<double>::lowest(), size = 0.,

@@ -8,16 +8,16 @@
 
 namespace Crevasse
 {
-  /** The displacement at each node of LipBasis: of its first side against the
-   * other one, or a rigid plane. Collective.
+  /** Displacement jump at each node of LipBasis: of its first side relative to
+   * the other side, or to a rigid plane. Collective.
    * @param displacement Space::nodal_values() */
   template <int dim>
   std::vector<dealii::Tensor<1, dim>>
   lip_jumps(const Space<dim> &space, const Vector &displacement);
 
-  /** Nodal opening of the lips, u_N − gap, the smaller one where two lips meet:
-   * in one degree of freedom of each node, as ContactBoundary::pressure(), with
-   * zeros elsewhere. Collective.
+  /** Nodal opening of the lips, u_N − gap, or the smaller one where two lips
+   * meet. It is in one degree of freedom of each node, as in
+   * ContactBoundary::pressure(), with zeros elsewhere. Collective.
    * @param displacement Space::nodal_values() */
   template <int dim>
   Vector

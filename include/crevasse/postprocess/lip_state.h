@@ -13,18 +13,18 @@
 
 namespace Crevasse
 {
-  /** The crack lip at one instant, over all ranks. */
+  /** State of the crack lip at one instant, over all ranks. */
   struct LipState
   {
-    unsigned int closed_nodes     = 0;  ///< of the free ones
-    double       force            = 0.; ///< ∫ pressure, held nodes included
+    unsigned int closed_nodes     = 0;  ///< closed free nodes
+    double       force            = 0.; ///< force ∫ pressure, with held nodes
     double       largest_pressure = 0.;
-    double       largest_opening  = 0.; ///< u_N − gap
+    double       largest_opening  = 0.; ///< largest u_N − gap
   };
 
-  /** ∫ pressure over the nodes of this rank, with the shares of held ones.
+  /** Contact force ∫ pressure over the nodes of this rank, with held nodes.
    *
-   * @param forces of these nodes. */
+   * @param forces contact forces of these nodes. */
   template <int dim>
   double
   contact_force(const ContactBoundary<dim> &lip,
@@ -36,7 +36,7 @@ namespace Crevasse
     return sum;
   }
 
-  /** β_N of each node that the flow opens for good; 0 of the others.
+  /** Rate β_N of each node that the flow opens for good; 0 for other nodes.
    * Collective. */
   template <int dim>
   std::vector<double>
@@ -53,7 +53,7 @@ namespace Crevasse
     return rates;
   }
 
-  /** Collective. */
+  /** Computes the state of the lip over all ranks. Collective. */
   template <int dim>
   LipState
   lip_state(const ContactBoundary<dim> &lip, const State &state)
@@ -73,8 +73,8 @@ namespace Crevasse
     return {static_cast<unsigned int>(sums[0]), sums[1], maxima[0], maxima[1]};
   }
 
-  /** The largest component at the nodes, where singular functions vanish.
-   * Collective. */
+  /** Largest displacement component at the nodes, where singular functions
+   * vanish. Collective. */
   template <int dim>
   double
   largest_displacement(const Space<dim> &space, const Vector &displacement)

@@ -10,22 +10,22 @@
 
 namespace Crevasse
 {
-  /** F of loads F(t) p(x), relative to the largest ones. */
+  /** Factors F of loads F(t) p(x), relative to the largest. */
   struct LoadFactors
   {
-    Vector              reference; ///< the loads at the step where they are so
-    std::vector<double> at_steps;  ///< at the beginning of each step
-    /** T F̄/τ, with the integral of F by the rule of the time integrator: what
-     * the discrete solution gains is then exactly this times u_el. */
+    Vector              reference; ///< the largest loads
+    std::vector<double> at_steps;  ///< F at the beginning of each step
+    /** T F̄/τ by the rule of the time integrator: discrete drift over u_el. */
     double drift = 0.;
   };
 
   /**
+   * Computes the factors for a comparison with the elastic closed form.
    * @param integrator null without viscosity.
    * @param comparison [Output] Elastic comparison: open or closed.
-   * @throw SceneError if there is no closed form to compare with: the lip has
-   * a gap, the viscosity is not proportional to the stiffness, the loads are
-   * not of this form, or F changes its sign where it must not.
+   * @throw SceneError if there is no closed form: the lip has a gap, viscosity
+   * is not proportional to stiffness, loads are not F(t) p(x), or F changes
+   * sign where it must not.
    */
   template <int dim>
   LoadFactors

@@ -13,25 +13,25 @@ namespace Crevasse
 {
   struct MixedModeValues
   {
-    /** Of modes I and II. */
+    /** Values for modes I and II. */
     std::array<double, 2> intensity, error, of_singular_functions;
     double                release_rate;
-    double                growth_angle; ///< in degrees
+    double                growth_angle; ///< growth direction in degrees
     double                equivalent;   ///< GrowthDirection::intensity
     double                t_stress;
-    double                angle_of_release; ///< in degrees
-    double                energy;           ///< of the whole body
+    double                angle_of_release; ///< direction of largest G
+    double                energy;           ///< strain energy of body
   };
 
 
 
   /**
    * crack_tip_N.csv: K_I, K_II and T of the N-th tip with two lips at each
-   * accepted step, and what follows from them.
+   * accepted step, and quantities derived from them.
    *
    * The errors are those of StressIntensity::ModeEstimate, or √(K_I² + K_II²)
    * times the relative error of the elastic energy around the tip, if that is
-   * larger. They are no bounds.
+   * larger. Errors are not bounds.
    */
   class MixedModeTable : public TipTable<MixedModeValues>
   {
@@ -56,7 +56,7 @@ namespace Crevasse
       return columns;
     }
 
-    /** Adds to "crack_tips" in the summary and prints a few lines. */
+    /** Adds "crack_tips" to the summary, and a few lines to the log. */
     void
     summarise(Summary &summary) override
     {
@@ -115,12 +115,12 @@ namespace Crevasse
     }
 
   private:
-    /** Warns where K_II/K_I changes over the period: no range of one intensity
-     * does what the two do. */
+    /** Warns if K_II/K_I changes over the period: then the range of no single
+     * intensity is equivalent. */
     void
     warn_of_turning(Summary &summary) const
     {
-      // Its principal axis is that of (K_I, K_II), the other one is across.
+      // The principal axis of the moments is the mean direction of (K_I, K_II).
       dealii::SymmetricTensor<2, 2> moments;
       for (const MixedModeValues &v : of_last_period)
         {
@@ -129,7 +129,7 @@ namespace Crevasse
           moments += symmetrize(outer_product(K, K));
         }
       const auto       sizes = eigenvalues(moments);
-      constexpr double small = 0.1; // angle
+      constexpr double small = 0.1; // ratio of axes
       if (sizes[1] <= small * small * sizes[0])
         return;
       warn("[Crack tip]: at " +
@@ -172,7 +172,7 @@ namespace Crevasse
       for (const unsigned int mode : {0, 1})
         {
           values.intensity[mode] = modes[mode].intensity;
-          // 0 is exact, where the tip is closed.
+          // A closed tip has K = 0 exactly.
           values.error[mode] =
             modes[mode].intensity == 0.
               ? 0.

@@ -8,12 +8,12 @@
 
 namespace Crevasse
 {
-  /** Creates the directory and its parents where needed and makes sure that
-   * files can be written there. @throw FileError otherwise. */
+  /** Creates the directory and its parents if needed, and checks that files can
+   * be written there. @throw FileError otherwise. */
   void
   require_writable_directory(const std::string &directory);
 
-  /** What becomes of the results of an earlier run. */
+  /** What happens to the results of an earlier run. */
   enum class EarlierResults
   {
     are_kept, ///< in a folder "earlier_1", "earlier_2", ... beside the new ones
@@ -21,13 +21,13 @@ namespace Crevasse
   };
 
   /**
-   * Clears away what an earlier run has written there, so that nothing of it is
-   * taken for a result of this one. Other files stay, and so does everything
-   * where no used.prm tells that there was a run. A log alone is not kept.
+   * Moves or removes the results of an earlier run, so that none is mistaken
+   * for a result of this run. Other files stay, as does everything without a
+   * used.prm, the sign of a run. A log alone is not kept.
    *
    * @return the folder in which results are kept, or nothing.
    * @throw FileError if something cannot be moved or removed, or a directory
-   * has the name of a file that is to be written.
+   * has the name of a result file.
    */
   std::string
   clear_earlier_results(const std::string   &directory,

@@ -16,11 +16,11 @@ namespace Crevasse
   using PrincipalStresses =
     std::pair<std::array<double, n>, std::array<double, n * n>>;
 
-  /** Principal stresses in ascending order, and rows of their directions: all
-   * three, or with n = 2 those in the plane of the mesh. By LAPACK, for the
-   * name that deal.II's eigenvectors() has in a library compiled by GCC is not
-   * the one that Clang looks for, and its eigenvalues() loses half of the
-   * digits where two are equal. */
+  /** Computes principal stresses in ascending order and their directions by
+   * row: all three, or with n = 2 those in the plane of the mesh. LAPACK is
+   * called because deal.II's eigenvectors(), compiled by GCC, has a name that
+   * Clang does not find, and eigenvalues() loses half of the digits of double
+   * eigenvalues. */
   template <int n>
   PrincipalStresses<n>
   principal_stresses(const dealii::SymmetricTensor<2, 3> &stress)

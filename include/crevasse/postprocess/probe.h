@@ -12,10 +12,10 @@
 namespace Crevasse
 {
   /**
-   * Displacement, recovered stress and, on the lip, opening and pressure at one
-   * point, as weighted sums found once: following a point through time costs
-   * next to nothing. Each rank sums over what it owns, so that no ghost values
-   * are read, and the sums over the ranks are the values.
+   * Evaluates displacement, recovered stress and, on the lip, opening and
+   * pressure at one point, as weighted sums with weights computed once, so that
+   * evaluation is cheap. Each rank sums over values that it owns; the sums over
+   * ranks are the result.
    *
    * A point is on the lip if one of the cells around it has a lip face there.
    */
@@ -23,7 +23,7 @@ namespace Crevasse
   class ProbeEvaluator
   {
   public:
-    /** Collective. @throw SceneError if the point lies outside the mesh. */
+    /** Finds the point. Collective. @throw SceneError if outside the mesh. */
     ProbeEvaluator(const Probe<dim>           &probe,
                    const Space<dim>           &space,
                    const StressRecovery<dim>  &recovery,
@@ -38,16 +38,16 @@ namespace Crevasse
     /** Whether the point lies on the crack lip. */
     bool on_lip = false;
 
-    /** Of a point between materials the middle of the cell whose stress it has,
-     * on the left, else below, else in front. */
+    /** For a point on a material interface: centre of the cell whose stress is
+     * used, on the left, else below, else in front. */
     std::optional<dealii::Point<dim>> side_of_interface;
 
-    /** On a crack of two lips: the unit normal from it into the body on whose
-     * side the displacement and stress are, that of a cell on the left, else
-     * below, else in front. */
+    /** For a point on a crack with two lips: normal from it into the body with
+     * the displacement and stress, that of a cell on the left, else below, else
+     * in front. */
     std::optional<dealii::Tensor<1, dim>> side_of_crack;
 
-    /** Collective. */
+    /** Displacement at the point. Collective. */
     dealii::Tensor<1, dim>
     displacement(const Vector &displacement) const
     {
@@ -56,7 +56,7 @@ namespace Crevasse
                                          communicator);
     }
 
-    /** On the lip, interpolated from its nodes; 0 off it. Collective. */
+    /** Pressure at a point of the lip; 0 at other points. Collective. */
     double
     pressure(const std::vector<double> &contact_forces) const
     {
@@ -64,11 +64,11 @@ namespace Crevasse
                                          communicator);
     }
 
-    /** Displacement with the flow that is split off, stress, and on the lip
-     * u_N, against the other lip if there is one, and the pressure. */
+    /** Displacement with the secular flow, stress, and on the lip u_N (relative
+     * to the other lip if there is one) and the pressure. */
     using Values = std::array<double, dim + n_stress_components<dim> + 2>;
 
-    /** This rank's part of them. */
+    /** This rank's part of the values. */
     Values
     local_values(const Sample &sample) const;
 
@@ -76,14 +76,14 @@ namespace Crevasse
     std::vector<std::string>
     columns() const;
 
-    /** What they hold: with the opening u_N − gap on the lip.
+    /** Row of probe_<name>.csv, with the opening u_N − gap on the lip.
      *
      * @param values summed over the ranks. */
     std::vector<double>
     row(const double time, const Values &values) const;
 
   private:
-    /** A point in one of the cells around it. */
+    /** Location of a point in one of the cells around it. */
     struct Place
     {
       typename dealii::DoFHandler<dim>::active_cell_iterator cell;
@@ -92,7 +92,7 @@ namespace Crevasse
       unsigned int lip_face = dealii::numbers::invalid_unsigned_int;
     };
 
-    /** Of this rank's unknowns, by their local index, for each component. */
+    /** Weights of this rank's unknowns, by local index, for each component. */
     using DisplacementWeights =
       std::array<std::vector<std::pair<unsigned int, double>>, dim>;
 
@@ -101,12 +101,12 @@ namespace Crevasse
     double
     local_pressure(const std::vector<double> &contact_forces) const;
 
-    /** One rank finds it. @param on_other_lip across from the lip that has been
-     * found before; there may be none. */
+    /** Locates the point on one rank. @param on_other_lip opposite to the lip
+     * found before; it may not exist. */
     Place
     find_place(const Space<dim> &space, const bool on_other_lip);
 
-    /** Whether a cell's face is one of the other lip of the crack. */
+    /** Whether a cell's face is on the other lip of the crack. */
     bool
     faces_other_lip(
       const Space<dim>                                             &space,
@@ -127,13 +127,13 @@ namespace Crevasse
 
     DisplacementWeights displacement_weights, other_lip_weights;
     typename StressRecovery<dim>::PointWeights   stress_weights;
-    std::vector<std::pair<unsigned int, double>> pressure_weights; ///< by node
+    std::vector<std::pair<unsigned int, double>> pressure_weights; ///< of nodes
 
-    dealii::Tensor<1, dim> normal; ///< inward, of the lip; 0 off it
+    dealii::Tensor<1, dim> normal; ///< inward normal of the lip; else 0
     double                 gap = 0.;
   };
 
-  /** The evaluators of the scene's "name: x, y; …". @throw SceneError */
+  /** Creates the evaluators of "name: x, y; …". @throw SceneError */
   template <int dim>
   std::vector<ProbeEvaluator<dim>>
   make_probes(const std::vector<NamedPoint> &probes,

@@ -9,14 +9,14 @@
 
 namespace Crevasse
 {
-  /** The tables of all probes. The ranks add their parts up in one message: one
-   * for each probe would take longer than the step. */
+  /** Writes the tables of all probes. Ranks sum all probes in one message: one
+   * message for each probe would take longer than the step. */
   template <int dim>
   class ProbeTables : public Observer
   {
   public:
-    /** @param probes must outlive this object.
-     * @param tables one for each, with its columns. */
+    /** @param probes must outlive the ProbeTables.
+     * @param tables one for each probe, with its columns. */
     ProbeTables(const std::vector<ProbeEvaluator<dim>> &probes,
                 std::vector<CsvTable>                 &&tables,
                 const MPI_Comm                          communicator)
@@ -41,7 +41,7 @@ namespace Crevasse
         tables[k].add_row(probes[k].row(sample.time, values[k]));
     }
 
-    /** Adds "probes": on which side of a crack they are. */
+    /** Adds "probes" to the summary: their side of a crack with two lips. */
     void
     summarise(Summary &summary) override
     {

@@ -15,16 +15,16 @@
 namespace Crevasse
 {
   /**
-   * How far closed lips slide on each other in the last period: at each pair of
-   * nodes the length of the path of the tangential jump between samples at
-   * which it is closed. The model has no friction; where they slide, friction
-   * would matter.
+   * Measures how far closed lips slide on each other in the last period: for
+   * each pair of nodes, the path length of the tangential jump between samples
+   * at which the pair is closed. The model has no friction; where lips slide,
+   * friction would matter.
    */
   template <int dim>
   class SlipWhileClosed : public Observer
   {
   public:
-    /** Collective. References must outlive this object. */
+    /** Collective. References must outlive the SlipWhileClosed. */
     SlipWhileClosed(const Body<dim> &body, Log &log)
       : body(body)
       , log(log)
@@ -77,7 +77,7 @@ namespace Crevasse
       slip["largest"] = *largest;
       for (unsigned int d = 0; d < dim; ++d)
         slip["at"].push_back(where[d]);
-      constexpr double some = 1e-6; // of the largest displacement
+      constexpr double some = 1e-6; // relative to displacement
       const double     size = summary["extremes"].value("displacement", 0.);
       if (*largest > some * size)
         log.line("  closed lips slide on each other by up to " +
@@ -87,8 +87,8 @@ namespace Crevasse
     }
 
   private:
-    /** Of each node of LipBasis the jump of the displacement, and 1 if it is
-     * closed. Collective. */
+    /** For each node of LipBasis, the jump of the displacement, and 1 if the
+     * node is closed. Collective. */
     std::vector<double>
     look_at(const Sample &sample) const
     {
@@ -100,7 +100,7 @@ namespace Crevasse
       const auto          states =
         body.lip.states(sample.state.displacement, sample.state.contact_forces);
       for (unsigned int k = 0; k < states.size(); ++k)
-        // Before rigid planes nothing slides on another lip.
+        // At rigid planes there is no second lip to slide on.
         if (const unsigned int i = body.lip.nodes[k].number;
             space.lip.nodes[i].sides[1] != dealii::numbers::invalid_dof_index)
           all[i * (dim + 1) + dim] = states[k].is_closed ? 1. : 0.;
@@ -115,7 +115,7 @@ namespace Crevasse
 
     const Body<dim>    &body;
     Log                &log;
-    std::vector<double> lengths; ///< of the last period
+    std::vector<double> lengths; ///< slip in the last period
     std::vector<double> before;  ///< look_at() at the last sample
   };
 } // namespace Crevasse

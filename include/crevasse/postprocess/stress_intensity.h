@@ -11,35 +11,36 @@
 namespace Crevasse
 {
   /**
-   * K_I of a run at its instants: by the integrals over two squares, where the
-   * field at the tip is Williams' series (the moduli are isotropic there and
-   * the same on all sides), and by the fit. Squares and discs end where another
-   * boundary or material begins. Where the tip has two lips there are K_II and
-   * T too, and no fit.
+   * Computes K_I at the instants of a run: by integrals over two squares if the
+   * field at the tip is Williams' series (moduli are isotropic there and equal
+   * on all sides), otherwise by the fit. Squares and discs end at other
+   * boundaries or materials. If the tip has two lips, also K_II and T are
+   * computed, and there is no fit.
    */
   class StressIntensity
   {
   public:
-    /** All 0 where nothing creeps and the node next to the tip is closed. In
-     * bodies of revolution of_stress is K over the smaller square. */
+    /** K_I and its error; all 0 if nothing creeps and the node next to the tip
+     * is closed. In bodies of revolution of_stress is K over the smaller
+     * square. */
     struct Estimate
     {
       double intensity, of_stress;
-      /** The difference between the integrals over two squares; without the
-       * integral, between the fits to two discs. */
+      /** Difference between integrals over two squares, or between fits to two
+       * discs. */
       double error;
     };
 
-    /** What the integrals over the larger square give, and how much those over
-     * the smaller one differ. */
+    /** Value of a mode by the integral over the larger square, and its
+     * difference from the smaller square. */
     struct ModeEstimate
     {
       double intensity, error;
     };
 
-    /** Collective. Arguments must outlive this object.
-     * @throw SceneError if the tip is not one whose field is known, or [Crack
-     * tip] Radius or Method does not fit it. */
+    /** Collective. The arguments must outlive the StressIntensity.
+     * @throw SceneError if the field at the tip is not known, or if [Crack tip]
+     * Radius or Method does not suit it. */
     StressIntensity(const Scene                                &scene,
                     const Body<2>                              &body,
                     const CrackTip                             &tip,
@@ -48,7 +49,7 @@ namespace Crevasse
 
     StressIntensity(const StressIntensity &) = delete;
 
-    /** The parameter that asks for it, as "[Section] Name = value". */
+    /** The parameter that requests K, as "[Section] Name = value". */
     static std::string
     setting(const Scene &scene)
     {
@@ -56,22 +57,22 @@ namespace Crevasse
              name_of(scene.crack_tip.stress_intensity);
     }
 
-    /** Collective. @param t within the period. @param material of that.
-     * @param at_tip elasticity(t) */
+    /** Estimates K_I. Collective. @param t within the period. @param material
+     * at the instant t. @param at_tip elasticity(t) */
     Estimate
     evaluate(const double            t,
              const Sample           &sample,
              const MaterialState<2> &material,
              const PlaneElasticity  &at_tip) const;
 
-    /** K_I, K_II and T of a tip with two lips. Collective. */
+    /** Estimates K_I, K_II and T of a tip with two lips. Collective. */
     std::array<ModeEstimate, 3>
     evaluate_modes(const double            t,
                    const Sample           &sample,
                    const MaterialState<2> &material,
                    const PlaneElasticity  &at_tip) const;
 
-    /** What is found. */
+    /** The modes that are computed. */
     std::vector<CrackMode>
     modes() const
     {
@@ -80,7 +81,7 @@ namespace Crevasse
       return {CrackMode::opening, CrackMode::sliding, CrackMode::constant};
     }
 
-    /** "interaction integral" or "williams fit" */
+    /** Name of the method, "interaction integral" or "williams fit". */
     std::string
     method() const
     {
@@ -89,16 +90,16 @@ namespace Crevasse
                        : StressIntensityMethod::williams_fit);
     }
 
-    /** Why it is the fit; empty: it is not. */
+    /** Reason for the fit; empty if the integral is used. */
     const std::string &
     why_no_integral() const
     {
       return no_integral;
     }
 
-    /** That of the law at the tip at an instant within the period, without its
-     * factor k. @throw SceneError if K is not known with it; not at instants
-     * of the first period's steps. */
+    /** Elasticity of the law at the tip at an instant within the period,
+     * without the factor k. @throw SceneError if K is not known with it; never
+     * at instants of the first period's steps. */
     PlaneElasticity
     elasticity(const double t) const
     {
@@ -106,7 +107,7 @@ namespace Crevasse
                                             : first_elasticity;
     }
 
-    /** Where another boundary or another stiffness begins. */
+    /** Distance of the tip to another boundary or another stiffness. */
     double
     largest_radius() const
     {
@@ -114,7 +115,7 @@ namespace Crevasse
                                     : region.largest_radius();
     }
 
-    /** Of the square, or of the largest disc of the fit. */
+    /** Size of the square, or of the largest disc of the fit. */
     double
     radius() const
     {
@@ -123,21 +124,21 @@ namespace Crevasse
 
     const Scene                               &scene;
     const Body<2>                             &body;
-    const std::shared_ptr<const PointGeometry> geometry; ///< keeps points
+    const std::shared_ptr<const PointGeometry> geometry; ///< owns points
     const PointGeometry                       &points;
     const TipRegion                            region;
 
   private:
-    /** Half the sides of squares, over the whole period; 0: it varies from the
-     * tip on. */
+    /** Half the sides of uniform squares, over the whole period; 0: varies at
+     * the tip. */
     struct UniformRadii
     {
       double stiffness;
-      /** Where besides all points creep alike. */
+      /** Half the side of the square in which also creep is uniform. */
       double creep;
     };
 
-    /** Over the larger and the smaller square. */
+    /** Integrals over the larger and the smaller square. */
     using Integrals = std::pair<InteractionIntegral, InteractionIntegral>;
 
     PlaneElasticity
@@ -146,19 +147,19 @@ namespace Crevasse
     UniformRadii
     find_uniform_radii(const StepList &steps) const;
 
-    /** Why the integral is not taken; empty: it is.
-     * @throw SceneError if Method asks for it where it is not right. */
+    /** Reason why the integral is not used; empty: it is used.
+     * @throw SceneError if Method requests it where it is not valid. */
     std::string
     find_no_integral(const StepList &steps) const;
 
-    /** Of a body of revolution: @throw SceneError if K is not known. */
+    /** Checks a body of revolution. @throw SceneError if K is not known. */
     void
     require_ring() const;
 
     Integrals
     make_integrals(const CrackMode mode) const;
 
-    /** Of a mode, by its place in modes(). Collective. */
+    /** Estimates a mode, given by its index in modes(). Collective. */
     ModeEstimate
     integrate(const unsigned int      mode,
               const double            t,
@@ -175,20 +176,19 @@ namespace Crevasse
                          body.space.communicator());
     }
 
-    /** Whether K_I is 0. Creep may have left a singular stress at a closed tip.
-     */
+    /** Whether K_I is 0. After creep a closed tip may have singular stress. */
     bool
     stays_closed(const double open) const
     {
       return open == 0. && !body.effects.viscosity.on;
     }
 
-    /** InteractionIntegral::Squares::creep, of as many cells or more. */
+    /** InteractionIntegral::Squares::creep, at least so many cells. */
     double
     creep_square(const double size, const unsigned int cells) const;
 
-    /** Whether more than forces on the boundary and creep makes stress: else it
-     * is Williams' series where the body is uniform, and viscous strain is
+    /** Whether stress has other causes than boundary forces and creep: if not,
+     * it is Williams' series where the body is uniform, and viscous strain is
      * compatible there. On rings that holds close to the tip only. */
     bool
     is_disturbed() const
@@ -202,13 +202,13 @@ namespace Crevasse
     double
     choose_fit_radius() const;
 
-    const PlaneElasticity     first_elasticity; ///< at t = 0
+    const PlaneElasticity     first_elasticity; ///< elasticity at t = 0
     const UniformRadii        uniform;
-    const std::string         no_integral; ///< why; empty: there is one
-    const double              square;      ///< of the integral
-    std::vector<Integrals>    integrals;   ///< of each of modes(), or none
+    const std::string         no_integral; ///< reason; empty: integral used
+    const double              square;      ///< half side of larger square
+    std::vector<Integrals>    integrals;   ///< integrals for each mode
     double                    fit_radius = 0.;
-    std::optional<NestedFits> fits; ///< with one lip in the plane
+    std::optional<NestedFits> fits; ///< fits for one lip in the plane
   };
 } // namespace Crevasse
 

@@ -24,15 +24,15 @@ namespace Crevasse
    *   instants             within the period
    *   cells                of each point two integers: the id of its cell
    *   coordinates          of each point
-   *   stress               of each instant, of each point
-   * Points are those of all ranks one after the other; by the ids of their
-   * cells the points of runs on other numbers of ranks are put into one order.
+   * stress of each instant, of each point Points of all ranks follow each
+   * other; the ids of cells allow to sort the points of runs on other numbers
+   * of ranks.
    */
   template <int dim>
   class StressWriter : public Observer
   {
   public:
-    /** @p body must outlive this. */
+    /** @p body must outlive the StressWriter. */
     StressWriter(const Body<dim> &body, const std::string &file_name)
       : body(body)
       , file_name(file_name)
@@ -52,7 +52,7 @@ namespace Crevasse
       samples[k].assign(stress.begin(), stress.end());
     }
 
-    /** Writes the file; nothing where nothing was computed. Collective.
+    /** Writes the file if anything was computed. Collective.
      * @throw FileError */
     void
     summarise(Summary &) override
@@ -87,7 +87,7 @@ namespace Crevasse
                                            instants.size()});
           write(file, instants);
         }
-      // All ranks go on together, whatever becomes of the file.
+      // All ranks continue together, even if writing fails.
       write_all(file, cells, communicator);
       write_all(file, coordinates, communicator);
       for (std::size_t k = 0; k < instants.size(); ++k)
@@ -108,7 +108,7 @@ namespace Crevasse
                  values.size() * sizeof(Number));
     }
 
-    /** Those of all ranks, on the first one. */
+    /** Writes the values of all ranks on the first rank. */
     template <typename Number>
     static void
     write_all(std::ofstream             &file,
@@ -123,7 +123,7 @@ namespace Crevasse
     const Body<dim>                 &body;
     const std::string                file_name;
     std::vector<double>              instants;
-    std::vector<std::vector<double>> samples; ///< may be more than instants
+    std::vector<std::vector<double>> samples; ///< at least as many as instants
   };
 } // namespace Crevasse
 

@@ -17,8 +17,8 @@
 
 namespace Crevasse
 {
-  /** Of each cell, the square of the relative error of the energy norm, of the
-   * elastic body at the extreme loads. Collective. */
+  /** Squared relative error of the energy norm of each cell, for the elastic
+   * body at the extreme loads. Collective. */
   inline dealii::Vector<float>
   elastic_error_squares(const Scene           &scene,
                         const Body<2>         &body,
@@ -38,8 +38,8 @@ namespace Crevasse
 
 
 
-  /** Of the elastic energy, in the cells around the tip that touch no other
-   * material: what the mesh leaves. Collective.
+  /** Relative error of the elastic energy by the mesh, in the cells around the
+   * tip that touch no other material. Collective.
    * @param squares elastic_error_squares() */
   inline double
   relative_energy_error(const CrackTipAnalysis      &analysis,
@@ -58,26 +58,26 @@ namespace Crevasse
 
 
 
-  /** What the tables of all tips of a run have in common. */
+  /** Objects common to the tables of all tips of a run. */
   struct TipContext
   {
     const StepList                   &steps;
-    const std::optional<SecularFlow> &flow;    ///< none: none was found
+    const std::optional<SecularFlow> &flow;    ///< none: no flow found
     LipClosure<2>                    *closure; ///< null without contact
     Log                              &log;
   };
 
 
 
-  /** A table of K at a tip with a row for each accepted step, and what the
-   * summary has of the tip.
+  /** A table of K at a tip with a row for each accepted step, and the summary
+   * of the tip.
    *
-   * @tparam Values the numbers of a step, with the strain energy. */
+   * @tparam Values numbers of a step, with the strain energy. */
   template <typename Values>
   class TipTable : public Observer
   {
   public:
-    /** What is referred to must outlive this object. Collective.
+    /** References must outlive the TipTable. Collective.
      *
      * @param error_squares elastic_error_squares()
      * @param table with the columns(). */
@@ -103,7 +103,7 @@ namespace Crevasse
       table.add_row(row);
     }
 
-    /** Adds no row to the table. */
+    /** Stores the values before a jump, without a row in the table. */
     void
     before_jump(const Sample &sample) override
     {
@@ -111,7 +111,7 @@ namespace Crevasse
       of_last_period.push_back(evaluate(sample));
     }
 
-    /** Numbers of the sample observed last. */
+    /** Values at the last observed sample. */
     const Values &
     latest() const
     {
@@ -153,11 +153,11 @@ namespace Crevasse
           }
     }
 
-    /** Those of a row, behind t. */
+    /** Numbers of a row of the table after t. */
     virtual std::vector<double>
     numbers_of(const Values &values) const = 0;
 
-    /** The least and the largest of the last period. */
+    /** Least and largest value of a function over the last period. */
     template <typename Function>
     std::pair<double, double>
     range(const Function &f) const
@@ -176,7 +176,7 @@ namespace Crevasse
       return range(f).second;
     }
 
-    /** range() for the summary. */
+    /** Extremes of a function over the last period, for the summary. */
     template <typename Function>
     Summary
     extremes(const Function &f) const
@@ -185,7 +185,7 @@ namespace Crevasse
       return {{"largest", most}, {"smallest", least}};
     }
 
-    /** Adds K of a mode and its error to the summary and prints them. */
+    /** Adds K of a mode and its error to the summary and the log. */
     template <typename Intensity, typename Error>
     void
     summarise_intensity(const CrackMode    mode,
@@ -215,7 +215,7 @@ namespace Crevasse
     }
 
     /** Warns if K is uncertain.
-     * @param name "K_I" or what else is uncertain.
+     * @param name "K_I" or another uncertain quantity.
      * @param size_of its size at a step, and @p error_of its error. */
     template <typename Size, typename Error>
     void
@@ -224,8 +224,8 @@ namespace Crevasse
                         const Error       &error_of,
                         Summary           &summary) const
     {
-      // A crack that stays closed has an intensity of rounding: the density of
-      // the energy tells of which size others of its length would be.
+      // A crack that stays closed has an intensity of rounding: the energy
+      // density gives the usual intensity of cracks of its length.
       constexpr double                large = 0.1, negligible = 1e-3;
       const dealii::Triangulation<2> &mesh = analysis.body.space.mesh();
       const double density = largest([](const Values &v) { return v.energy; }) /
@@ -256,9 +256,9 @@ namespace Crevasse
     /** Adds ΔK, K_op, ΔK_eff, C* and growth to the summary.
      *
      * @param opening K_I of Values.
-     * @param intensity what drives growth by creep, of Values.
-     * @param equivalent the range of one intensity that does what this range of
-     * K_I does, together with those of other modes. */
+     * @param intensity of Values, which drives growth by creep.
+     * @param equivalent maps a range of K_I to the range of one intensity that
+     * is equivalent to it and the ranges of other modes. */
     template <typename Opening, typename Intensity, typename Equivalent>
     void
     summarise_growth(const Opening     &opening,
@@ -283,9 +283,9 @@ namespace Crevasse
       analysis.summarise_growth(history, title, tip, context.log);
     }
 
-    /** The opening intensity K_op (Elber, ASTM STP 486, 1971), ΔK_eff, and for
-     * which part of the period the lip is closed. Returns the end of a line for
-     * the log. Collective. */
+    /** Adds the opening intensity K_op (Elber, ASTM STP 486, 1971), ΔK_eff, and
+     * the fraction of the period with a closed lip. Returns the end of a line
+     * for the log. Collective. */
     template <typename Opening, typename Equivalent>
     std::string
     summarise_closure(const Opening    &opening,
@@ -325,12 +325,12 @@ namespace Crevasse
         tip["no_K_opening"] = opens.why_not;
       line += Text::format("; lip wholly closed for %.1f %% of the period",
                            100. * wholly);
-      return partly < 5e-4 // 0.0 %
+      return partly < 5e-4 // prints as 0.0 %
                ? line
                : line + Text::format(", partly for %.1f %%", 100. * partly);
     }
 
-    /** For the summary. */
+    /** Position, method and radius of a tip for the summary. */
     Summary
     place_and_method() const
     {
@@ -343,8 +343,8 @@ namespace Crevasse
     const CrackTipAnalysis &analysis;
     const TipContext        context;
     CsvTable                table;
-    const double            relative_error; ///< of the elastic energy
-    std::vector<double>     instants;       ///< of the last period
+    const double            relative_error; ///< of elastic energy
+    std::vector<double>     instants;       ///< instants of last period
     std::vector<Values>     of_last_period;
   };
 } // namespace Crevasse

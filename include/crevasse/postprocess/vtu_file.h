@@ -10,26 +10,26 @@
 
 namespace Crevasse
 {
-  /** Numbers at the points of a grid. */
+  /** Values at the points of a grid. */
   struct PointArray
   {
     std::string name;
-    /** 1, 3 of a vector, or 6 of a symmetric tensor: XX, YY, ZZ, XY, YZ, XZ. */
+    /** Components: 1, a vector's 3, or a tensor's XX, YY, ZZ, XY, YZ, XZ. */
     unsigned int       n_components;
     std::vector<float> values;
   };
 
   /**
-   * A grid for ParaView, on which any number of files are written. Cells may
-   * share their points, so that files are a quarter (in space an eighth) of
-   * those with points for each cell. They are compressed fast: zlib's level 9,
-   * deal.II's default, takes twenty times as long for 5 % of the size.
+   * A grid for ParaView, for any number of files. Cells may share points, so
+   * files are a quarter (in space an eighth) of those with points by cell. They
+   * are compressed fast: zlib's level 9, deal.II's default, takes twenty times
+   * as long for 5 % of the size.
    */
   class VtuGrid
   {
   public:
-    /** @param points three coordinates of each.
-     * @param corners of all cells, in VTK's order.
+    /** @param points three coordinates of each point.
+     * @param corners points of all cells, in VTK's order.
      * @param n_corners of a cell: 4 of a quadrilateral, 8 of a hexahedron.
      * @param materials of the cells, for "material_id". */
     VtuGrid(const std::vector<float>        &points,
@@ -37,18 +37,18 @@ namespace Crevasse
             const unsigned int               n_corners,
             const std::vector<std::int32_t> &materials);
 
-    /** @throw FileError */
+    /** Writes a .vtu file with the arrays. @throw FileError */
     void
     write(const std::string             &file_name,
           const double                   time,
           const std::vector<PointArray> &arrays) const;
 
   private:
-    std::string text; ///< of points, cells and their materials
+    std::string text; ///< points, cells and materials
   };
 
-  /** A .pvtu file, which makes one grid of those of all processes. The arrays'
-   * names matter alone. @throw FileError */
+  /** Writes a .pvtu file, which joins the grids of all processes. Only the
+   * names of @p arrays matter. @throw FileError */
   void
   write_pvtu(const std::string              &file_name,
              const std::vector<std::string> &pieces,

@@ -12,18 +12,17 @@
 
 namespace Crevasse
 {
-  /** What was estimated on one mesh. */
+  /** Estimates of the error on one mesh. */
   struct MeshEstimate
   {
     dealii::types::global_dof_index cells, unknowns;
-    double                          error;  ///< relative, of the stress
-    double                          energy; ///< ½∫ s·K⁻¹s at the largest
+    double                          error;  ///< relative error of stress
+    double                          energy; ///< largest ½∫ s·K⁻¹s
     double                          seconds;
   };
 
-  /** The instants whose errors count: those of the scene, or that of the
-   * largest load. With thermal strain, which loads at other times, some more.
-   */
+  /** Instants at which errors are estimated: the instants of the scene, or the
+   * instant of the largest load and, with thermal strain, some more. */
   template <int dim>
   std::vector<double>
   instants_of_estimate(const Scene     &scene,
@@ -31,24 +30,24 @@ namespace Crevasse
                        const StepList  &steps);
 
   /**
-   * The mesh that a run begins on: the geometry's, refined towards the tip, or
-   * adapted to the elastic states at some instants of the period. Those take
-   * no time steps: a mesh that is good for them is good for a stress that
-   * viscosity has redistributed a little.
+   * The initial mesh of a run: the mesh of the geometry, refined towards the
+   * tip, or adapted to elastic states at some instants of the period. These
+   * need no time steps, and their mesh also suits a stress that viscosity has
+   * redistributed a little.
    */
   template <int dim>
   class AdaptedMesh
   {
   public:
-    /** Collective. @throw SceneError or NumericalError.
+    /** Creates the mesh. Collective. @throw SceneError or NumericalError.
      *
-     * @param checkpoints The mesh is that of the resumed run. */
+     * @param checkpoints provide the mesh if a run is resumed. */
     AdaptedMesh(const Scene   &scene,
                 const MPI_Comm communicator,
                 Log           &log,
                 Checkpoints   &checkpoints);
 
-    /** Shows what was estimated; the mesh is saved with the fields. */
+    /** Serialises the estimates; the mesh is saved with the fields. */
     void
     serialize(StateArchive &archive);
 
@@ -58,46 +57,47 @@ namespace Crevasse
       return current;
     }
 
-    /** Flags cells of the mesh for a change that Target unknowns allows, if
-     * there is one. Collective.
+    /** Flags cells for a change of the mesh that Target unknowns allows, if
+     * any. Collective.
      *
-     * @param n_unknowns on the mesh as it is.
+     * @param squares squared error of each cell.
+     * @param n_unknowns of the present mesh.
      * @return whether cells are to be divided. */
     bool
     flag(const dealii::Vector<float> &squares, const double n_unknowns);
 
-    /** To be called after the mesh has been changed: takes another one with the
-     * same cells on each rank, in the order in which a checkpoint has them. So
-     * a resumed run computes the same. Collective. */
+    /** Replaces a changed mesh by one with the same cells on each rank, in the
+     * order of a checkpoint, so that a resumed run computes the same.
+     * Collective. */
     void
     renew();
 
-    /** summary.json "refinement" */
+    /** Adds "refinement" to summary.json. */
     void
     add_to(Summary &summary) const;
 
   private:
-    /** Estimates on the mesh that there is.
+    /** Estimates errors on the current mesh.
      *
-     * @return the squares for each cell. */
+     * @return the squared error of each cell. */
     dealii::Vector<float>
     estimate(Log &quiet);
 
-    /** Whether the last mesh has been there before, so that all that follows
-     * would come again: what is joined may balance what is divided. */
+    /** Whether the last mesh has occurred before, so that adaptation would
+     * repeat itself: coarsening may balance refinement. */
     bool
     repeats() const;
 
     void
     report(Log &log) const;
 
-    /** Changes the mesh, unless it would hardly be another one. */
+    /** Adapts the mesh. @return false if it would hardly change. */
     bool
     advance(const dealii::Vector<float> &squares);
 
-    const Scene                scene; ///< with fast solvers
+    const Scene                scene; ///< scene, with fast solvers
     std::shared_ptr<Mesh<dim>> current;
-    /** On the way, this one the last; none if nothing was adapted. */
+    /** Estimates on all meshes up to the current one; none: not adapted. */
     std::vector<MeshEstimate> all;
   };
 } // namespace Crevasse

@@ -11,55 +11,55 @@
 namespace Crevasse
 {
   /**
-   * A run from its scene to its results, on one mesh or on several: the mesh
-   * that it begins on, and stages of some periods between which the mesh is
-   * adapted to the last of them and the state taken over.
+   * Computes a run from its scene to its results, on one or several meshes: the
+   * initial mesh, and stages of some periods, after which the mesh is adapted
+   * to the last period and the state is transferred.
    */
   template <int dim>
   class AdaptiveRun
   {
   public:
-    /** Finds what is wrong with the scene; computes nothing but elastic states
-     * that the mesh is adapted to. Collective.
+    /** Checks the scene; computes only elastic states to which the mesh is
+     * adapted. Collective.
      *
-     * @param checkpoints which it writes, and which it goes on from if they
-     * say so; they must outlive this object. */
+     * @param checkpoints of the run, which it resumes from if they say so; must
+     * outlive the AdaptiveRun. */
     AdaptiveRun(const Scene   &scene,
                 const MPI_Comm communicator,
                 Log           &log,
                 Checkpoints   &checkpoints);
 
-    /** Prints effects, sizes and predicted memory. */
+    /** Logs effects, sizes and predicted memory. */
     void
     describe() const;
 
-    /** Computes the run and writes everything to the directory, which must
+    /** Computes the run and writes its results to the directory, which must
      * exist. Collective.
      *
      * @param stress_record see StressWriter.
-     * @throw NumericalError; after all that was computed has been written if
-     * the periodic state was not reached. */
+     * @throw NumericalError; if the periodic state was not reached, after all
+     * results are written. */
     void
     run(const std::string &directory, const bool stress_record = false);
 
   private:
-    /** Shows what is known about the meshes. */
+    /** Serialises the summary of the meshes. */
     void
     serialize_summary(StateArchive &archive);
 
-    /** Adapts the mesh to what was estimated, makes everything anew on it, and
-     * takes the fields over. */
+    /** Adapts the mesh to estimated errors, creates a new set-up on it, and
+     * transfers the fields. */
     void
     readapt(const dealii::Vector<float> &squares, const double error);
 
-    RunState                             state; ///< timed from here on
+    RunState                             state; ///< state, with its timer
     const Stopwatch                      watch{all_else};
     const Scene                          scene;
     Log                                 &log;
     Checkpoints                         &checkpoints;
     AdaptedMesh<dim>                     adapted;
     std::unique_ptr<const RunSetup<dim>> setup;
-    Summary                              summary; ///< about the meshes
+    Summary                              summary; ///< summary of meshes
   };
 } // namespace Crevasse
 

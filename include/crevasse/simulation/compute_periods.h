@@ -10,15 +10,14 @@
 namespace Crevasse
 {
   /**
-   * Computes periods until the stress is periodic, no more are allowed, or the
-   * stage on this mesh ends. A motion that was found by harmonic balance is
-   * verified and shown; otherwise the periods are marched or accelerated.
+   * Computes periods until the stress is periodic, the maximum of periods is
+   * reached, or the stage on this mesh ends. A motion found by harmonic balance
+   * is verified and shown; otherwise periods are marched or accelerated.
    *
-   * @param work whose state is that at the beginning; afterwards result and
-   * strain of the state are those after the last period, and so is the
-   * displacement unless the run ends.
-   * @throw NumericalError if a step fails, or if the motion that was found is
-   * not a solution and no other method may take over.
+   * @param work with the initial state; afterwards with the result and strain
+   * after the last period, and the displacement unless the run ends.
+   * @throw NumericalError if a step fails, or if the motion found is not a
+   * solution and no other method may replace it.
    */
   template <int dim>
   void

@@ -10,34 +10,34 @@
 
 namespace Crevasse
 {
-  /** The stress is not periodic after the last period allowed: all results are
-   * written, but they are not what was asked for. */
+  /** Error: stress is not periodic after the maximum of periods. All results
+   * are written, but they are not periodic as requested. */
   struct NotPeriodicError : NumericalError
   {
     using NumericalError::NumericalError;
   };
 
-  /** What was computed and how: versions, sizes, effects, choices, warnings,
-   * counters and certificate. Prints the last two. Collective. */
+  /** Summarises what was computed and how: versions, sizes, effects, choices,
+   * warnings, counters and certificate. Logs the last two. Collective. */
   template <int dim>
   void
   summarise_run(const Workspace<dim> &work, Summary &summary);
 
-  /** Adds what the periods have come to, and what it took, and writes all of
-   * it. Collective. @throw FileError */
+  /** Adds results and cost of the periods to the summary, and writes it.
+   * Collective. @throw FileError */
   template <int dim>
   void
   write_summary(const Workspace<dim> &work, Summary &summary);
 
   /**
-   * Whether the results of a run, all of which are written, are what was asked
-   * for. Collective.
+   * Checks that the results of a run, which are written, are as requested.
+   * Collective.
    *
    * @param summary of the whole run.
-   * @throw NumericalError if the stress is nothing but rounding;
-   * NotPeriodicError if the periodic state was not reached, if the lip bears
-   * another mean force than the secular problem has, or if the lip still closes
-   * over the last period, which no periodic state does. */
+   * @throw NumericalError if the stress is only rounding; NotPeriodicError if
+   * the periodic state was not reached, if the mean force on the lip differs
+   * from the secular problem, or if the lip closes further in the last period.
+   */
   template <int dim>
   void
   conclude(const Workspace<dim> &work, const Summary &summary);

@@ -22,7 +22,7 @@ namespace Crevasse
   class ElasticComparison : public Observer
   {
   public:
-    /** Solves for u_el. All arguments must outlive this object.
+    /** Solves for u_el. The arguments must outlive the ElasticComparison.
      * @param drift q(t+T) − q(t) of the last period. */
     ElasticComparison(Workspace<dim> &work, const Vector &drift)
       : work(work)
@@ -118,7 +118,7 @@ namespace Crevasse
 
     Vector displacement, stress; ///< u_el and s_el at the reference loads
     double largest_difference = 0., largest_stress = 0.;
-    double last_period = 0.; ///< quotient of the two
+    double last_period = 0.; ///< relative difference
   };
 } // namespace Crevasse
 

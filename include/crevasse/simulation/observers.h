@@ -9,11 +9,11 @@
 
 namespace Crevasse
 {
-  /** What a run on one mesh writes or prints while it computes and at its end,
-   * as far as the scene asks for it. Checkpoints come to know of the tables.
+  /** Creates the observers that write or print what the scene asks for, during
+   * a run on one mesh and at its end. Checkpoints receive the names of tables.
    *
-   * @param work must outlive the observers; its start is known. Weight
-   * functions are solved for. */
+   * @param work must outlive the observers; its start is known. Observers solve
+   * for weight functions. */
   template <int dim>
   std::vector<std::unique_ptr<Observer>>
   make_observers(Workspace<dim> &work);

@@ -15,8 +15,8 @@ namespace Crevasse
   class PeriodEstimate : public Observer
   {
   public:
-    /** All arguments must outlive this object.
-     * @param period that is looked at. */
+    /** The arguments must outlive the PeriodEstimate.
+     * @param period whose errors are estimated. */
     PeriodEstimate(const Scene       &scene,
                    const Body<dim>   &body,
                    const StepList    &steps,
@@ -35,7 +35,7 @@ namespace Crevasse
     {
       if (sample.period != period)
         return;
-      // Adaptive steps may pass by an instant: then the next one is looked at.
+      // Adaptive steps may pass an instant: then the next step is used.
       const auto next = instants.upper_bound(sample.instant + rounding);
       if (next == instants.begin())
         return;
@@ -59,8 +59,8 @@ namespace Crevasse
   private:
     const Body<dim>   &body;
     const unsigned int period;
-    const double       rounding; ///< of instants
-    std::set<double>   instants; ///< still to come
+    const double       rounding; ///< rounding of instants
+    std::set<double>   instants; ///< instants still to come
   };
 } // namespace Crevasse
 

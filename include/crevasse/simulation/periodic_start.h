@@ -9,23 +9,22 @@
 
 namespace Crevasse
 {
-  /** What a run knows of its periodic state before it computes a period. */
+  /** Knowledge of a run about its periodic state before the first period. */
   struct PeriodicStart
   {
-    PeriodicChoice               choice; ///< another one where one has failed
+    PeriodicChoice               choice; ///< choice, or its replacement
     SecularSplit                 split;
-    std::optional<SecularFlow>   flow;   ///< none: not looked for, or not found
-    std::optional<FourierResult> direct; ///< by harmonic balance
+    std::optional<SecularFlow>   flow;   ///< none: not sought or not found
+    std::optional<FourierResult> direct; ///< harmonic balance
     std::vector<std::string>     warnings;
   };
 
   template <int dim>
   struct Workspace;
 
-  /** Solves what is to be known: the motion by harmonic balance, or the
-   * secular problem. Where one fails, and the run can do without, it does.
-   * Collective.
-   * @throw NumericalError where it cannot. */
+  /** Solves harmonic balance or the secular problem. If a problem fails and the
+   * run can do without its solution, it does. Collective.
+   * @throw NumericalError if the run needs the solution. */
   template <int dim>
   void
   find_periodic_start(Workspace<dim> &work);

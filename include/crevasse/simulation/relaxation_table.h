@@ -9,14 +9,14 @@
 namespace Crevasse
 {
   /**
-   * The paper's Table 1: without constraints, at the instant of the largest
-   * load, the iterations that SOR needs to reach the residual of the direct
-   * solver, for each factor that the scene lists and for the best one, found
-   * by dichotomy. Printed, and written to relaxation.csv.
+   * Logs the paper's Table 1 and writes it to relaxation.csv: without
+   * constraints, at the instant of the largest load, the number of SOR
+   * iterations to the residual of the direct solver, for each relaxation factor
+   * of the scene and for the best factor, found by dichotomy.
    *
-   * The single precision of the paper's machine is assumed to have had 27 bits
-   * of mantissa: its direct solver's residual then is that of a solution
-   * rounded to them, so the table has a second column with this target.
+   * The paper's machine is assumed to have single precision with 27 bits of
+   * mantissa: its direct solver's residual then is that of a solution rounded
+   * to 27 bits, the target of the table's second column.
    */
   template <int dim>
   void

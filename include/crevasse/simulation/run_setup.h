@@ -19,15 +19,15 @@
 namespace Crevasse
 {
   /**
-   * What a run on one mesh computes with. Building it finds what is wrong with
-   * mesh, boundaries, formulas and step sizes, and makes all choices; it
-   * computes nothing, and does not change afterwards.
+   * Set-up of a run on one mesh. Its construction checks mesh, boundaries,
+   * formulas and step sizes, and makes all choices; it computes no states. A
+   * set-up is constant.
    */
   template <int dim>
   struct RunSetup
   {
-    /** Collective. @throw SceneError, or NumericalError if the steps are
-     * unstable. */
+    /** Checks and chooses. Collective. @throw SceneError, or NumericalError if
+     * steps are unstable. */
     RunSetup(const Scene &of_run, std::shared_ptr<const Mesh<dim>> mesh)
       : scene(of_run)
       , own_body(scene, std::move(mesh))
@@ -39,7 +39,7 @@ namespace Crevasse
       , steps(scene)
       , integrator(make_integrator())
     {
-      // The instants at which a run evaluates formulas, and some between.
+      // Instants at which a run evaluates formulas, and some between.
       const std::vector<double> instants = steps.survey_instants(
         integrator != nullptr ? integrator->properties.quadrature.nodes
                               : std::vector<double>());
@@ -94,7 +94,7 @@ namespace Crevasse
     RunSetup &
     operator=(const RunSetup &) = delete;
 
-    /** One that can be used; null without viscosity. */
+    /** Creates an integrator for a run; null without viscosity. */
     std::unique_ptr<Integrator>
     make_integrator() const
     {
@@ -104,8 +104,8 @@ namespace Crevasse
                                        body.effects.contact.on);
     }
 
-    /** @throw NumericalError if the steps are beyond the limit of the
-     * integrator. */
+    /** Creates the step control. @throw NumericalError if steps exceed the
+     * stability limit of the integrator. */
     std::unique_ptr<StepControl>
     make_step_control() const
     {
@@ -117,7 +117,7 @@ namespace Crevasse
                                          relaxation_times.smallest);
     }
 
-    /** Those of the scene, and the secular flow. */
+    /** Effects of the scene, and the secular flow. */
     std::vector<Effects::Effect>
     active_effects(const SecularSplit &split) const
     {
@@ -130,33 +130,33 @@ namespace Crevasse
     const Scene scene;
 
   private:
-    /** The force that its lip neglects is known after the surveys, which find
-     * formulas without a value first. */
+    /** The body. Its lip's negligible force is set only after the surveys,
+     * which first find formulas without a value. */
     Body<dim> own_body;
 
   public:
     const Body<dim>                        &body = own_body;
     const StressRecovery<dim>               recovery;
     const std::vector<ProbeEvaluator<dim>>  probes;
-    StepList                                steps;      ///< of the first period
-    const std::unique_ptr<const Integrator> integrator; ///< what it is like
+    StepList                                steps;      ///< steps of period 1
+    const std::unique_ptr<const Integrator> integrator; ///< for properties
     RelaxationTimes                         relaxation_times;
     double                                  largest_thermal_strain;
     double                                  largest_nodal_force;
-    double                                  missed_load; ///< by the steps
+    double                                  missed_load; ///< missed by steps
     PeriodicChoice                          periodic_choice;
     Effects::Effect                         stress_intensity;
     SecularSplit                            secular_split;
     SolverChoice                            solvers;
     std::vector<std::unique_ptr<const CrackTipAnalysis>> crack_tips;
-    std::vector<Summary> tips_without_intensity; ///< places, and why ("no_K")
+    std::vector<Summary> tips_without_intensity; ///< tips, and why ("no_K")
     std::vector<std::unique_ptr<const CreepIntegral>> creep_integrals;
     std::unique_ptr<const CrackFrontAnalysis>
-                               crack_front;  ///< in space, or null
-    std::optional<LoadFactors> load_factors; ///< to compare by
+                               crack_front;  ///< in space; null in a plane
+    std::optional<LoadFactors> load_factors; ///< for the elastic comparison
 
   private:
-    /** "automatic" does without K where no tip has one. */
+    /** Finds the tips; "automatic" switches K off if no tip has a K. */
     void
     find_crack_tips()
     {

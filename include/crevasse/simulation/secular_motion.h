@@ -12,16 +12,16 @@
 namespace Crevasse
 {
   /**
-   * What the body gains from period to period: measured over the last one,
-   * whether the stress is periodic yet or not, and the flow β of the secular
-   * problem, where that is solved: its limit.
+   * Gain of displacement from period to period: measured over the last period,
+   * with periodic stress or not, and its limit, the flow β of the secular
+   * problem, if that is solved.
    *
-   * With it t₀, the time after which the contact conditions of the whole
+   * Also t₀, the time after which the contact conditions of the whole
    * displacement u = βt + q agree with those of the periodic part q (paper,
-   * §5.1 and the comment on P2): the nodes of the lip that the flow opens,
-   * β_N > 0, bear nothing in the periodic state, but touch as long as β_N t is
-   * less than what q swings. The constant in q is free; with the mean value
-   * zero, as the paper has it,
+   * §5.1 and the comment on P2): nodes of the lip that the flow opens, β_N > 0,
+   * are free in the periodic state, but touch while β_N t is less than the
+   * oscillation of q. The constant in q is arbitrary; with zero mean as in the
+   * paper,
    *
    *     t₀ = max (gap − min q_N) / β_N     over these nodes, at least 0.
    */
@@ -29,14 +29,14 @@ namespace Crevasse
   class SecularMotion : public Observer
   {
   public:
-    /** @param work before the first period on this mesh; it must outlive this
-     * object. */
+    /** @param work before the first period on this mesh; it must outlive the
+     * SecularMotion. */
     explicit SecularMotion(const Workspace<dim> &work)
       : work(work)
       , setup(work.setup)
       , communicator(setup.body.space.communicator())
       , follows_lip(setup.body.effects.contact.on && work.start.flow &&
-                    !work.state.has_begun()) // nodes of other meshes are others
+                    !work.state.has_begun()) // first mesh only
     {
       if (!follows_lip)
         return;
@@ -86,7 +86,7 @@ namespace Crevasse
       archive.part_of_sum(impulse);
     }
 
-    /** summary.json "drift" and "secular". */
+    /** Adds "drift" and "secular" to summary.json. */
     void
     summarise(Summary &summary) override
     {
@@ -97,7 +97,7 @@ namespace Crevasse
       if (effects.viscosity.on)
         {
           const double largest  = largest_displacement(setup.body.space, gain);
-          const double per_time = // null: unknown
+          const double per_time = // nan: unknown
             is_noise(largest) ? NAN : 1. / work.steps.period();
           drift["largest_rate"] = largest * per_time;
           for (const auto &probe : setup.probes)
@@ -105,7 +105,7 @@ namespace Crevasse
               components(probe.displacement(gain) * per_time);
           if (effects.contact.on)
             {
-              // At a node of the lip, which no β closes.
+              // Largest closing of a node of the lip; β closes none.
               double closing = 0.;
               for (const LipNode<dim> &node : setup.body.lip.nodes)
                 closing = std::max(closing, -node.sign * gain(node.dof));
@@ -132,7 +132,7 @@ namespace Crevasse
       summary["secular"] = secular;
     }
 
-    /** q(T n) − q(T (n−1)); constrained entries are zero. After the run. */
+    /** Drift q(T n) − q(T (n−1)) after the run; 0 in constrained entries. */
     const Vector &
     drift() const
     {
@@ -140,12 +140,12 @@ namespace Crevasse
     }
 
   private:
-    /** A node with β_N > 0. */
+    /** A node that the flow opens, β_N > 0. */
     struct OpeningNode
     {
-      unsigned int index; ///< in the lip
-      double       rate;  ///< β_N
-      // Of q_N in this period.
+      unsigned int index; ///< index in the lip
+      double       rate;  ///< rate β_N
+      // Least value, integral and last value of q_N in this period.
       double least = 0., integral = 0., last = 0.;
     };
 
@@ -158,7 +158,7 @@ namespace Crevasse
     void
     observe_lip(const Sample &sample)
     {
-      constexpr double rounding = 1e-9; // of the forces that are in balance
+      constexpr double rounding = 1e-9; // relative to the loads
       const double pressing = rounding * sample.right_hand_side.linfty_norm();
       const bool   is_whole = sample.secular_flow == nullptr;
       const auto  &nodes    = setup.body.lip.nodes;
@@ -190,8 +190,8 @@ namespace Crevasse
       last_instant = sample.instant;
     }
 
-    /** Whether a displacement is only what solves leave, as where nothing
-     * flows, or at the nodes of a lip that never opens. */
+    /** Whether a displacement is within the accuracy of the solvers, as if
+     * nothing flows, or at a lip that never opens. */
     bool
     is_noise(const double displacement) const
     {
@@ -205,7 +205,7 @@ namespace Crevasse
     {
       const std::vector<double> &forces = work.start.flow->contact_forces;
       Vector                     beta   = work.start.flow->velocity;
-      // The flow is a solve of its own: rounding of the mean load limits it.
+      // The flow is solved for separately: rounding of the mean load limits it.
       constexpr double rounding = 1e-12;
       if (largest_displacement(setup.body.space, beta) * work.steps.period() <=
           rounding * work.state.largest_displacement)
@@ -224,10 +224,9 @@ namespace Crevasse
         }
     }
 
-    /** t₀, the last instant at which one of these nodes was pressed, and the
-     * mean of the contact force over the last period: in the periodic state
-     * that of the secular problem but for the steps' error, if η₀ is
-     * constant. */
+    /** Adds t₀, the last instant of contact of an opening node, and the mean
+     * contact force over the last period, which in the periodic state is that
+     * of the secular problem up to errors of steps, if η₀ is constant. */
     void
     summarise_lip(Summary &secular) const
     {
@@ -248,7 +247,7 @@ namespace Crevasse
         dealii::Utilities::MPI::sum(impulse, communicator) / last_instant;
       secular["opening_nodes"] = number;
       secular["onset"]         = onset;
-      // null: none of them was pressed at all
+      // null: no opening node was ever closed
       secular["last_contact_of_opening_nodes"] =
         pressed >= 0. ? Summary(pressed) : Summary();
       if (number > 0)
@@ -262,15 +261,16 @@ namespace Crevasse
     const RunSetup<dim>  &setup;
     const MPI_Comm        communicator;
 
-    Vector start; ///< of the period
+    Vector start; ///< q at the period's start
     Vector gain;
 
     const bool               follows_lip;
     std::vector<OpeningNode> opening_nodes;
     double                   last_instant = 0.;
-    /** −1: never, or what was computed was q, whose contact is another one. */
+    /** Last instant of contact of an opening node; −1: never, or only q, with
+     * another contact, was computed. */
     double last_pressed = -1.;
-    double last_force = 0., impulse = 0.; ///< of this rank's nodes
+    double last_force = 0., impulse = 0.; ///< sums over this rank's nodes
   };
 } // namespace Crevasse
 

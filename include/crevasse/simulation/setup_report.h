@@ -10,13 +10,13 @@
 
 namespace Crevasse
 {
-  /** summary.json: how large a discretised body is, "cells_of_ranks" on the
+  /** Sizes of a discretised body for summary.json, with "cells_of_ranks" on the
    * first rank. Collective. */
   template <int dim>
   Summary
   sizes_of(const Body<dim> &body);
 
-  /** Prints effects, sizes, predicted memory and choices. Collective.
+  /** Logs effects, sizes, predicted memory and choices. Collective.
    * @throw SceneError if there is not enough memory. */
   template <int dim>
   void

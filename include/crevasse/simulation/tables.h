@@ -22,7 +22,7 @@ namespace Crevasse
     {
     }
 
-    /** One more, without a file on ranks that do not write. */
+    /** Creates a table; without a file on ranks that do not write. */
     CsvTable
     table(const std::string &name, const std::vector<std::string> &columns)
     {
@@ -30,7 +30,7 @@ namespace Crevasse
       return CsvTable(path(name), columns, is_continuing);
     }
 
-    /** Empty on ranks that do not write. */
+    /** Path of a table; empty on ranks that do not write. */
     std::string
     path(const std::string &name) const
     {
@@ -40,7 +40,7 @@ namespace Crevasse
     std::vector<std::string> names;
 
   private:
-    const bool        is_continuing; ///< whether they have rows already
+    const bool        is_continuing; ///< tables have rows already
     const std::string directory;
     const bool        writes;
   };

@@ -8,10 +8,10 @@
 
 namespace Crevasse
 {
-  /** Lines about what can be computed, but is probably a mistake.
+  /** Lines about settings that are valid, but probably a mistake.
    *
-   * @param choice by which the run finds its periodic state, and @p split its
-   * flow: those of the set-up, or what took over. */
+   * @param choice method by which the run finds its periodic state, and @p
+   * split its flow: of the set-up, or what replaced them. */
   template <int dim>
   std::vector<std::string>
   warnings(const RunSetup<dim>  &setup,

@@ -12,24 +12,24 @@
 
 namespace Crevasse
 {
-  /** Where a run writes to. */
+  /** The outputs of a run. */
   struct RunOutput
   {
     Log              &log;
     Checkpoints      &checkpoints;
     const std::string directory;
-    bool              stress_record; ///< see StressWriter
+    bool              stress_record; ///< whether StressWriter runs
   };
 
   /**
-   * A run on one mesh: what it computes with, where it writes to, what it has
-   * come to, and what changes meanwhile: its steps, what integrates over them,
-   * and the systems that solve for the displacement.
+   * Objects of a run on one mesh: its set-up, outputs and state, and what
+   * changes with time: its steps, integrator, and the systems that solve for
+   * displacements.
    */
   template <int dim>
   struct Workspace
   {
-    /** All arguments must outlive this object. */
+    /** The arguments must outlive the Workspace. */
     Workspace(const RunSetup<dim> &setup,
               const RunOutput     &output,
               RunState            &state)
@@ -58,7 +58,7 @@ namespace Crevasse
     const RunSetup<dim>         &setup;
     const RunOutput             &output;
     RunState                    &state;
-    StepList                     steps; ///< adaptive ones change
+    StepList                     steps; ///< adaptive steps change
     std::unique_ptr<Integrator>  integrator;
     std::unique_ptr<StepControl> step_control;
     ContactSystemCache<dim>      systems;

@@ -9,22 +9,21 @@
 namespace Crevasse
 {
   /**
-   * Steps whose error of the stress is within a tolerance: a part of what an
-   * embedded method of order 1 estimates.
+   * Creates a control of adaptive steps, whose error of the stress, a part of
+   * the estimate of an embedded method of order 1, is within a tolerance.
    *
-   * The first period finds them by a proportional–integral controller
+   * The first period finds the steps by a proportional–integral controller
    * (Gustafsson, ACM Trans. Math. Softw. 17, 1991; Hairer and Wanner, Solving
-   * ODEs II, IV.2). Later periods use them again, as the paper proposes
-   * (§6.2.1), so that samples, matrices and factorisations repeat: a step
-   * that has become too long is divided for good. Where the state of the
-   * first period has taken many more steps than a later one needs they are
-   * found anew, at most three times.
+   * ODEs II, IV.2). Later periods reuse the steps, as the paper proposes
+   * (§6.2.1), so that samples, matrices and factorisations repeat: a step that
+   * has become too long is divided permanently. If the first period took many
+   * more steps than a later one needs, steps are searched anew, at most three
+   * times.
    *
-   * Where steps have matrices of their own, their lengths are those of the
-   * intervals between the fixed instants divided by powers of 2, so that
-   * there are few.
+   * If each length of step has its own matrix, lengths are intervals between
+   * fixed instants divided by powers of 2, so that few matrices occur.
    *
-   * @param steps its fixed instants end steps in any case.
+   * @param steps list whose fixed instants always end steps.
    * @param stability_limit see StepControl.
    */
   std::unique_ptr<StepControl>

@@ -15,15 +15,16 @@ namespace Crevasse
   class StateArchive;
 
   /**
-   * Anderson's acceleration of x ← G(x) (J. ACM 12, 1965; Walker and Ni, SIAM
-   * J. Numer. Anal. 49, 2011): with the residuals f = G(x) − x of the last
-   * points and the differences ΔF, ΔG of neighbours among them,
+   * Anderson acceleration of the fixed-point iteration x ← G(x) (J. ACM 12,
+   * 1965; Walker and Ni, SIAM J. Numer. Anal. 49, 2011): with the residuals f =
+   * G(x) − x of the last points and the differences ΔF, ΔG of neighbours among
+   * them,
    *
    *     γ = argmin |f − ΔF γ|,       x ← G(x) − ΔG γ − (1−β)(f − ΔF γ)
    *
-   * in the Euclidean norm. Differences that depend on younger ones, to rounding
-   * or to what G itself is accurate to, are left out: their coefficients would
-   * be noise, and large.
+   * in the Euclidean norm. Differences that depend on newer ones, within
+   * rounding or the accuracy of G, are left out: their coefficients would be
+   * noise, and large.
    *
    * G must not move two points apart in this norm. Then I − G is cocoercive
    * (Baillon and Haddad, Isr. J. Math. 26, 1977): at any point xᵢ with the
@@ -31,36 +32,35 @@ namespace Crevasse
    *
    *     fᵢ · (x* − xᵢ) ≥ ½ |fᵢ|².
    *
-   * A next point that misses that at some remembered point is known to be
-   * wrong: where G has kinks, as where a lip begins to touch, differences from
-   * the other side of a kink make such points. Then the oldest differences are
-   * left out, one after the other, until the point is possible; without
-   * differences it is G(x).
+   * A next point that violates this at some remembered point is wrong. Such
+   * points result from differences across a kink of G, e.g. where a lip begins
+   * to touch. Then the oldest differences are left out, one after the other,
+   * until the point is possible; without differences it is G(x).
    *
    * A residual that is the same from point to point is a drift, which
-   * combinations explain in part at most. It is followed by 1, 2, 4, …
-   * residuals at once, as far as that is possible (projective integration: Gear
-   * and Kevrekidis, SIAM J. Sci. Comput. 24, 2003), and from where it ends by
-   * half of that the next time.
+   * combinations explain only in part. The drift is followed by 1, 2, 4, …
+   * residuals at once, as far as possible (projective integration: Gear and
+   * Kevrekidis, SIAM J. Sci. Comput. 24, 2003), and from its end by half as
+   * many the next time.
    */
   class AndersonAcceleration
   {
   public:
-    /** Residuals are differences of images that are accurate to about this. */
+    /** Relative accuracy of images G(x), whose differences are residuals. */
     static constexpr double accuracy = 1e-13;
 
     struct Settings
     {
-      unsigned int depth;   ///< number of differences
-      double       damping; ///< β in ]0, 1]; 1: none
+      unsigned int depth;   ///< largest number of differences
+      double       damping; ///< damping β in ]0, 1]; 1: none
       bool         follows_drift = false;
     };
 
-    /** How often something else was done than to combine all differences. */
+    /** Numbers of steps that do not simply combine all differences. */
     struct Counts
     {
-      unsigned int shortened = 0; ///< the oldest ones were left out
-      unsigned int leaps     = 0; ///< a drift was followed by more than once
+      unsigned int shortened = 0; ///< oldest differences left out
+      unsigned int leaps     = 0; ///< drifts followed by > 1 residual
     };
 
     explicit AndersonAcceleration(const Settings &settings)
@@ -68,17 +68,17 @@ namespace Crevasse
     {
     }
 
-    /** Remembers a point @p x and its image G(x). */
+    /** Stores a point @p x and its image G(x). */
     void
     add(const Vector &x, const Vector &image);
 
-    /** The next point. */
+    /** Computes the next point @p x. */
     void
     extrapolate(Vector &x);
 
     /**
-     * How far the last point may be from the fixed point besides the step to
-     * the next one: the part of its residual that the differences do not
+     * Estimated distance of the last point from the fixed point besides the
+     * step to the next point: the part of its residual that differences do not
      * explain, at the slowest contraction that one of them shows,
      *
      *     |f − ΔF γ| max |x_{k+1} − x_k| / |f_{k+1} − f_k|.
@@ -99,30 +99,30 @@ namespace Crevasse
     struct Pair
     {
       Vector image, residual;
-      double slowness = 0.; ///< |Δx| / |Δf| to the pair before
+      double slowness = 0.; ///< |Δx| / |Δf| to the last pair
     };
 
-    /** @p x from these differences of residuals, factorised, and of images;
-     * sets what they leave unexplained. */
+    /** Computes @p x from factorised differences of residuals and from
+     * differences of images; sets the unexplained residual. */
     void
     combine(const dealii::QR<Vector>  &factors,
             const std::vector<Vector> &images,
             Vector                    &x);
 
-    /** Whether @p x may be the fixed point for all that is remembered. */
+    /** Whether all remembered points admit @p x as the fixed point. */
     bool
     is_possible(const Vector &x) const;
 
-    /** Goes along a drift from the last point to @p x if there is one. */
+    /** Extends the step from the last point to @p x along a drift, if any. */
     void
     follow_drift(Vector &x);
 
     const Settings   settings;
-    std::deque<Pair> pairs;              ///< the youngest at the back
-    double           unexplained   = 0.; ///< |f − ΔF γ|
-    double           residual_norm = 0.; ///< |f|
-    double           change        = 0.; ///< of f, relative to it
-    double           leap          = 1.; ///< the next one, in residuals
+    std::deque<Pair> pairs;              ///< points, newest last
+    double           unexplained   = 0.; ///< norm |f − ΔF γ|
+    double           residual_norm = 0.; ///< norm |f|
+    double           change        = 0.; ///< relative change of f
+    double           leap          = 1.; ///< next leap, in residuals
     Counts           so_far;
   };
 } // namespace Crevasse

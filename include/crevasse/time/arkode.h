@@ -10,19 +10,19 @@
 namespace Crevasse
 {
   /**
-   * The Runge–Kutta methods of ARKODE (SUNDIALS), explicit or diagonally
-   * implicit, of order 2 to 5. A step of the step list is one of ARKODE's; or,
-   * with the step control "adaptive", ARKODE chooses its own from an estimate
-   * of the error, and the steps of the list are intervals between samples,
-   * which are interpolated. With events located, ARKODE's root finding
-   * stops where a node of the lip switches, and begins anew there.
+   * Creates a Runge–Kutta method of ARKODE (SUNDIALS), explicit or diagonally
+   * implicit, of order 2 to 5. ARKODE takes the steps of the step list; or,
+   * with the step control "adaptive", it chooses its own steps by an estimate
+   * of the error, and the steps of the list are intervals between samples. To
+   * locate events, ARKODE's root finding stops where a node of the lip
+   * switches, and restarts there.
    *
-   * Tolerances are on the stress that an error of r makes where the strain is
-   * held: constant for each point, for r itself may drift.
+   * Tolerances are for the stress that an error of r causes at constant strain:
+   * fixed for each point, because r itself may drift.
    *
-   * Implicit methods of order 3 and more begin with an explicit stage. Where
-   * that creeps by a power of a stress that relaxes within the step, a step of
-   * the list with an error of more than a tenth of the elastic stress is cut.
+   * Implicit methods of order 3 and more begin with an explicit stage. If
+   * power-law creep relaxes stress within the step, a step of the list is
+   * divided if its error exceeds a tenth of the elastic stress.
    */
   std::unique_ptr<Integrator>
   make_arkode(const TimeIntegrationParameters &parameters);

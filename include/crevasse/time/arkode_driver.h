@@ -18,59 +18,59 @@
 namespace Crevasse
 {
   /**
-   * ARKODE as Arkode uses it: its own functions on deal.II's vectors, with
-   * every return code checked. (deal.II's class ARKode has no events and hides
-   * the context in which messages are caught.) Exceptions are kept while C code
-   * is on the stack. SUNDIALS 7 has the names ARKStep… of 6 too.
+   * C++ interface of ARKODE: its functions on deal.II's vectors, with every
+   * return code checked. (deal.II's class ARKode has no events and hides the
+   * context that catches messages.) Exceptions are stored while C code is on
+   * the stack. SUNDIALS 7 still has the names ARKStep… of version 6.
    */
   class ArkodeDriver
   {
   public:
-    /** Begins at (t, r). The equation must have been evaluated there, and
-     * outlive this object. The table is copied. */
+    /** Starts at (t, r). The equation must have been evaluated there, and must
+     * outlive the ArkodeDriver. The table is copied. */
     ArkodeDriver(const bool               is_implicit,
                  const ARKodeButcherTable table,
                  CachedRate              &equation,
                  const double             t,
                  const Vector            &r);
 
-    /** Makes evolve() possible.
+    /** Lets ARKODE control the error of steps, as evolve() needs.
      *
-     * @param tolerances Error of r that a step may make, in the root mean
-     * square of all entries divided by theirs. */
+     * @param tolerances allowed error of r in a step, for each entry, in the
+     * root mean square of all entries divided by their tolerances. */
     void
     control_steps(Vector tolerances);
 
-    /** From now on ARKODE's steps are at most as long as this over the rate at
-     * which the stress relaxes (RateEquation::relaxation_rate). */
+    /** From now on limits ARKODE's steps to @p stability_limit over the
+     * relaxation rate of the stress (RateEquation::relaxation_rate). */
     void
     limit_steps(const double stability_limit);
 
-    /** From now on evolve() stops at the roots of the switching functions of
+    /** From now on stops evolve() at the roots of the switching functions of
      * all contact nodes (RateEquation::switching_functions). */
     void
     seek_events();
 
-    /** Continues from (t, r). @param is_new Whether ARKODE estimates the next
-     * step without what it knows of the last ones. */
+    /** Continues from (t, r). @param is_new whether ARKODE chooses the next
+     * step without information on earlier steps. */
     void
     restart(const double t, const Vector &r, const bool is_new);
 
-    /** One step of this length. */
+    /** Takes one step of the given length. */
     void
     fixed_step(const double step);
 
-    /** The same by ARKODE's own steps, of which the first has this length and
-     * the error of control_steps() or is cut. */
+    /** Takes a step of this length by ARKODE's own steps: the first has this
+     * length, and is cut if its error exceeds that of control_steps(). */
     void
     controlled_step(const double step);
 
-    /** ARKODE's own steps up to @p end, where the last one ends, or to an
-     * event: whether there is one. */
+    /** Takes ARKODE's own steps up to @p end exactly, or to an event. Returns
+     * whether there is an event. */
     bool
     evolve(const double end);
 
-    /** The instant of state(). */
+    /** Instant of state(). */
     double
     time() const
     {
@@ -83,7 +83,7 @@ namespace Crevasse
       return current;
     }
 
-    /** Steps, rejected steps, and stages that failed. */
+    /** Numbers of steps, rejected steps and failed stages. */
     IntegratorStatistics
     statistics() const;
 
@@ -97,16 +97,16 @@ namespace Crevasse
     int
     solve_stage(N_Vector correction);
 
-    /** Runs @p evaluate and returns 0; else keeps what it threw. */
+    /** Calls @p evaluate and returns 0; or stores its exception. */
     template <typename Evaluate>
     int
     guarded(const Evaluate &evaluate);
 
-    /** @throw what was kept; or NumericalError if the code is negative. */
+    /** Checks a code. @throw the stored exception, or NumericalError if < 0. */
     int
     check(const int code);
 
-    /** Of all ranks, from the equation's last evaluation. */
+    /** Switching functions of all ranks, from the last evaluation. */
     std::vector<double>
     switching_functions() const;
 
@@ -121,25 +121,25 @@ namespace Crevasse
                                    void (*)(SUNNonlinearSolver)>;
 
     CachedRate        &equation;
-    std::string        words; ///< SUNDIALS' last message
+    std::string        words; ///< last message of SUNDIALS
     const Context      context;
     double             current_time;
     Vector             current;
-    const View         view;        ///< of it: ARKODE keeps a pointer
-    const Memory       memory;      ///< ARKODE's
-    const Solver       solver;      ///< of implicit stages
-    Vector             known, rate; ///< of a stage
-    double             limit = 0.;  ///< see limit_steps()
+    const View         view;        ///< view of it, as ARKODE keeps a pointer
+    const Memory       memory;      ///< ARKODE's memory
+    const Solver       solver;      ///< solver of implicit stages
+    Vector             known, rate; ///< known part, rate of stage
+    double             limit = 0.;  ///< limit of limit_steps()
     std::exception_ptr thrown;
   };
 
 
 
   /**
-   * What happened when ARKODE returned the negative @p code at the instant
-   * @p t, and which parameter to change.
+   * Describes the failure for which ARKODE returned the negative @p code at the
+   * instant @p t, and which parameter to change.
    *
-   * @param words what ARKODE itself says.
+   * @param words the message of ARKODE.
    */
   std::string
   describe_arkode_failure(const int          code,

@@ -11,22 +11,21 @@ namespace Crevasse
   class StateArchive;
 
   /**
-   * An equation that is not solved twice for the same instant and the same r:
-   * what is shown at a sample often is what a method has evaluated last, or
-   * evaluates next. The last evaluation for either is kept.
+   * Avoids solving an equation twice for the same instant and r: the state
+   * shown at a sample often is what a method has evaluated last, or evaluates
+   * next. The last evaluation for a method and for a sample are kept.
    */
   class CachedRate
   {
   public:
-    /** From now on this equation is evaluated; it must live until the next
-     * call. */
+    /** Sets the equation to evaluate; it must live until the next call. */
     void
     attach(RateEquation &new_equation)
     {
       equation = &new_equation;
     }
 
-    /** Others have evaluated the equation. */
+    /** Forgets evaluations, because others have evaluated the equation. */
     void
     forget()
     {
@@ -34,17 +33,17 @@ namespace Crevasse
       latest                                  = nullptr;
     }
 
-    /** f(r,t) for a method, to which only the rate matters.
+    /** Computes f(r,t) for a method, which only needs the rate.
      * @throw NumericalError if it is not finite. Collective. */
     void
     rate(const double t, const Vector &r, Vector &rate);
 
-    /** The same, after which it is the equation's last evaluation: what that
-     * has solved can be observed. */
+    /** Computes f(r,t) for a sample, as the equation's last evaluation: its
+     * solution can then be observed. */
     void
     show(const double t, const Vector &r, Vector &rate);
 
-    /** f(r,t) for r = r̂ + c f(r,t), see RateEquation. */
+    /** Computes f(r,t) for r = r̂ + c f(r,t), see RateEquation. */
     void
     implicit_rate(const double  t,
                   const Vector &known,
@@ -54,7 +53,7 @@ namespace Crevasse
       evaluate(of_method, t, known, c, rate);
     }
 
-    /** Of the last evaluation's instant. */
+    /** The equation, with the state of its last evaluation. */
     const RateEquation &
     last() const
     {
@@ -75,7 +74,7 @@ namespace Crevasse
       is_of(const double time, const Vector &strain) const;
     };
 
-    /** f(r,t) with r = @p known + @p c f(r,t). Keeps it, and its r. */
+    /** Computes f(r,t) with r = @p known + @p c f(r,t); keeps it with its r. */
     void
     evaluate(Evaluation   &evaluation,
              const double  t,
@@ -85,7 +84,7 @@ namespace Crevasse
 
     RateEquation     *equation = nullptr;
     Evaluation        of_method, of_sample;
-    const Evaluation *latest = nullptr; ///< the equation's last
+    const Evaluation *latest = nullptr; ///< last evaluation
   };
 } // namespace Crevasse
 

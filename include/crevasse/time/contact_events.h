@@ -11,20 +11,19 @@
 namespace Crevasse
 {
   /**
-   * Divides the steps of another method where nodes of the lip open or close,
-   * so that none of them crosses a kink of f: the method keeps its order
-   * through contact (model, §2).
+   * Divides the steps of a method where nodes of the lip open or close, so that
+   * no step crosses a kink of f: the method keeps its order through contact
+   * (model, §2).
    *
-   * A step after which nodes have switched is taken again up to the first of
-   * the instants at which they did. That is found on the least switching
-   * function, each value of which is the end of a trial step, by secants on
-   * either side of the kink, and else by the regula falsi in the manner of
-   * Anderson and Björck (BIT 13, 1973), to 10⁻⁷ of the step; what switches
-   * closer together counts as one event. Errors of the instant count by their
-   * square, for f is continuous.
+   * A step after which nodes have switched is repeated up to the first
+   * switching. Its instant is the root of the least switching function,
+   * evaluated by trial steps: by secants on either side of the kink, or else by
+   * the regula falsi of Anderson and Björck (BIT 13, 1973), to 10⁻⁷ of the
+   * step; closer switchings count as one event. Errors of the instant matter by
+   * their square, as f is continuous.
    *
-   * There is no Zeno behaviour: a step is divided at most 100 times, then it
-   * goes on without, which is counted.
+   * Zeno behaviour is excluded: after 100 divisions the rest of a step is not
+   * divided, which is counted.
    */
   std::unique_ptr<Integrator>
   locate_contact_events(std::unique_ptr<Integrator> &&method);

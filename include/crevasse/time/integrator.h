@@ -14,50 +14,48 @@ namespace Crevasse
 {
   class StateArchive;
 
-  /** A rule on [0,1]: Σ weight × f(node), the weights sum up to 1. */
+  /** Quadrature rule on [0,1]: Σ weight × f(node); weights add up to 1. */
   struct TimeQuadrature
   {
     std::vector<double> nodes;
-    std::vector<double> weights; ///< empty if steps follow no such rule
+    std::vector<double> weights; ///< empty: no such rule
   };
 
-  /** How often an integrator has done what, by name. */
+  /** Counts of what an integrator has done, by name. */
   using IntegratorStatistics = std::vector<std::pair<std::string, std::size_t>>;
 
   constexpr double no_stability_limit = std::numeric_limits<double>::infinity();
 
-  /** What a method is like, whatever it integrates. */
+  /** Properties of a method, for any equation. */
   struct IntegratorProperties
   {
-    std::string name; ///< for the log
+    std::string name; ///< name for the log
     /** Largest Δt / τ_min for which decaying solutions decay. */
     double stability_limit = no_stability_limit;
-    /** The instants of a step at which f is evaluated, as fractions of the
-     * step, and the rule by which it integrates an f that does not depend on
-     * r. */
+    /** Instants of a step at which f is evaluated, as fractions of the step,
+     * and the method's quadrature rule for an f that does not depend on r. */
     TimeQuadrature quadrature;
-    /** Whether every length of step has a matrix, and so a factorisation, of
-     * its own. */
+    /** Whether every length of step has its own matrix and factorisation. */
     bool has_matrix_of_step = false;
-    /** Whether its implicit stages follow an explicit one. */
+    /** Whether an explicit stage precedes the implicit stages. */
     bool begins_explicitly = false;
-    /** Whether it chooses its own steps by their error. The last one reaches
-     * beyond the end of the step it was given, and is not shown: its state can
-     * be kept at the beginning of a period alone. */
+    /** Whether the method chooses its own steps by their error. Its last step
+     * exceeds the end of the given step, and is not shown: its state can be
+     * saved only at the beginning of a period. */
     bool controls_steps = false;
   };
 
-  /** One step from (t, r), which was the last start, to t + length. Several of
-   * different lengths may be tried from one start. */
+  /** A step from (t, r), which was the last start, to t + length. Several
+   * lengths may be tried from one start. */
   struct TimeStep
   {
     RateEquation &f;
     const double  t, length;
-    const Vector &rate; ///< what Integrator::start() gave
+    const Vector &rate; ///< result of Integrator::start()
     Vector       &r;
-    /** Null, or a vector to which the estimated error of the step is added by
-     * methods that have one: the difference to an embedded method of order 1,
-     * in which the step is not continued. */
+    /** Null, or a vector to which methods with an embedded method of order 1
+     * add the estimated error of the step: their difference. The step is
+     * continued in the method itself, not in the embedded one. */
     Vector *error = nullptr;
   };
 
@@ -72,8 +70,8 @@ namespace Crevasse
 
     virtual ~Integrator() = default;
 
-    /** Forgets what the last step knows about the beginning of the next:
-     * r was changed, or the time. */
+    /** Forgets data of the last step for the next, because r or the time was
+     * changed. */
     virtual void
     restart()
     {
@@ -81,12 +79,12 @@ namespace Crevasse
     }
 
     /**
-     * Makes the last evaluation of f that at (t, r), so that what f has solved
-     * on its way (the state at t) can be observed. Methods whose steps end with
-     * that evaluation have nothing to do where one step follows the other.
+     * Evaluates f at (t, r) as the last evaluation, so that the state at t,
+     * which f has solved for, can be observed. Methods whose steps end with
+     * this evaluation do nothing between consecutive steps.
      *
-     * @param[out] rate f(r,t) for those methods that begin their steps with it;
-     * it has the layout of r.
+     * @param[out] rate f(r,t) for methods that begin their steps with it, in
+     * the layout of r.
      */
     virtual void
     start(RateEquation &f, const double t, const Vector &r, Vector &rate)
@@ -97,13 +95,13 @@ namespace Crevasse
     virtual void
     advance(const TimeStep &step) = 0;
 
-    /** Shows what it knows between two steps; nothing if that is nothing. */
+    /** Serialises the state kept between two steps, if any. */
     virtual void
     serialize(StateArchive &)
     {
     }
 
-    /** Empty if there is nothing that the number of steps does not tell. */
+    /** Statistics; empty unless a method counts more than its steps. */
     virtual IntegratorStatistics
     statistics() const
     {
@@ -113,7 +111,7 @@ namespace Crevasse
     const IntegratorProperties properties;
 
   protected:
-    bool is_continuing = false; ///< the next step begins where the last ended
+    bool is_continuing = false; ///< next step continues the last
   };
 } // namespace Crevasse
 

@@ -9,7 +9,7 @@
 
 namespace Crevasse
 {
-  /** The time integrators by their names in the scene.
+  /** Creates a time integrator by its name in the scene.
    *
    * @param has_contact whether there are events to locate. */
   std::unique_ptr<Integrator>

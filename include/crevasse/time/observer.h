@@ -12,41 +12,41 @@
 
 namespace Crevasse
 {
-  /** One instant of a run, as the tables and fields see it. */
+  /** State of a run at one instant, for tables and fields. */
   struct Sample
   {
-    unsigned int period; ///< 1 for the first
-    unsigned int step;   ///< 0 … n_steps; n_steps only at the very end
-    double       time;   ///< goes on over the periods
-    /** Within the period, the same in each; the period at the very end. */
+    unsigned int period; ///< period number, from 1
+    unsigned int step;   ///< 0 … n_steps; n_steps only at the end
+    double       time;   ///< time since the start of the run
+    /** Time within the period; the whole period at the end of the run. */
     double instant;
 
     const State  &state;
     const Vector &viscous_strain;
-    const Vector &right_hand_side; ///< b of the contact problem
-    /** What is not in displacement and viscous strain, because it was split
-     * off; null: nothing. */
+    const Vector &right_hand_side; ///< loads b of contact problem
+    /** Flow that was split off from displacement and viscous strain; null:
+     * none. */
     const SecularFlow *secular_flow;
   };
 
-  /** What is known at the end of a period. */
+  /** Results of a period, known at its end. */
   struct PeriodReport
   {
     unsigned int period;
     double       end_time;
-    /** Largest change of a stress component against the period before, over
-     * all samples and quadrature points, relative to the largest stress. The
-     * first period is compared with the unstressed state before it. */
+    /** Largest change of a stress component from the period before, over all
+     * samples and quadrature points, relative to the largest stress. The first
+     * period is compared with the unstressed state before it. */
     double stress_change;
-    /** Distance of this stress to the periodic one, as the method estimates it;
-     * nan while it cannot be told. */
+    /** Distance of this stress to the periodic one, estimated by the method of
+     * the search; nan if unknown. */
     double      stress_error_estimate;
     double      largest_stress;
-    std::size_t vi_solves; ///< of this period
-    double      seconds;   ///< of this period
+    std::size_t vi_solves; ///< solves in this period
+    double      seconds;   ///< seconds for this period
   };
 
-  /** Sees every accepted step and every period of a run. */
+  /** Receives every accepted step and every period of a run. */
   class Observer
   {
   public:
@@ -67,15 +67,15 @@ namespace Crevasse
     {
     }
 
-    /** Adds its part of the summary, after the last period, in the order in
-     * which observers were made; prints and writes what it has kept for the
-     * end. Collective. */
+    /** Adds the observer's part of the summary after the last period, in the
+     * order of creation of observers; prints and writes final results.
+     * Collective. */
     virtual void
     summarise(Summary &)
     {
     }
 
-    /** Shows what it remembers, besides files; nothing if it does not. */
+    /** Serialises the observer's memory besides files, if any. */
     virtual void
     serialize(StateArchive &)
     {

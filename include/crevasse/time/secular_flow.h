@@ -14,10 +14,10 @@ namespace Crevasse
    * u = βt + q, ξᵢ = αᵢt + rᵢ. */
   struct SecularFlow
   {
-    Vector velocity;    ///< β; zero in constrained entries
-    Vector strain_rate; ///< αᵢ, in the layout of r
-    /** For each local lip node: η₀(0) times ḡ, the mean of g/η₀ over a period.
-     */
+    Vector velocity;    ///< velocity β; zero in constrained entries
+    Vector strain_rate; ///< rates αᵢ, in the layout of r
+    /** Contact forces of local lip nodes: η₀(0) times ḡ, the mean of g/η₀ over
+     * a period. */
     std::vector<double> contact_forces;
   };
 } // namespace Crevasse

@@ -9,23 +9,23 @@
 
 namespace Crevasse
 {
-  /** A step of a period and what it works with. */
+  /** A step of a period, with the objects that advance it. */
   struct PeriodStep
   {
     Integrator        &integrator;
     RateEquation      &f;
     StepList          &steps;
-    const unsigned int k; ///< its number
+    const unsigned int k; ///< index of the step
     Vector            &r;
-    Vector            &rate; ///< what Integrator::start() gives
+    Vector            &rate; ///< result of Integrator::start()
   };
 
-  /** Decides how far a step goes: this one takes the steps as they are. */
+  /** Decides the lengths of steps: this class takes the steps as given. */
   class StepControl
   {
   public:
-    /** @param stability_limit of the integrator, where the rate of relaxation
-     * depends on the stress: steps at most as long as this over that rate. */
+    /** @param stability_limit of the integrator, if the relaxation rate depends
+     * on the stress: the longest step is this limit over that rate. */
     explicit StepControl(const double stability_limit = no_stability_limit)
       : stability_limit(stability_limit)
     {
@@ -33,13 +33,13 @@ namespace Crevasse
 
     virtual ~StepControl() = default;
 
-    /** Makes @p steps those of the next period, as far as they are known. */
+    /** Sets @p steps to the steps of the next period, as far as known. */
     virtual void
     begin_period(StepList &)
     {
     }
 
-    /** Integrator::start() at instant k. */
+    /** Calls Integrator::start() at instant k. */
     virtual void
     start(const PeriodStep &step)
     {
@@ -50,8 +50,8 @@ namespace Crevasse
     }
 
     /** Advances r from instant k, the last start, to instant k + 1 of the
-     * steps, which may be divided for that.
-     * @throw NumericalError if a step that is not is beyond the limit. */
+     * steps, for which the step may be divided.
+     * @throw NumericalError if an undivided step exceeds the limit. */
     virtual void
     advance(const PeriodStep &step)
     {
@@ -63,7 +63,7 @@ namespace Crevasse
                                step.r});
     }
 
-    /** Whether a period that is computed again has the same steps. */
+    /** Whether a recomputed period has the same steps. */
     virtual bool
     repeats_steps() const
     {
@@ -76,16 +76,16 @@ namespace Crevasse
       return {};
     }
 
-    /** Shows what it has learned so far; nothing if it does not. */
+    /** Serialises data on the steps so far, if any. */
     virtual void
     serialize(StateArchive &)
     {
     }
 
   protected:
-    /** The longest stable step from the last evaluation on; infinite if the
-     * material alone tells. Collective.
-     * @throw NumericalError if a period takes too many of them. */
+    /** Longest stable step after the last evaluation; infinite if only the
+     * material limits it. Collective.
+     * @throw NumericalError if a period takes too many such steps. */
     double
     longest_stable(const PeriodStep &step) const;
 
@@ -96,10 +96,10 @@ namespace Crevasse
     const double stability_limit;
   };
 
-  /** @param smallest_relaxation_time bounds adaptive steps, which are none
-   * longer than those of Steps per period.
-   * @throw NumericalError if the steps are beyond the limit of the integrator,
-   * and that is to be checked. */
+  /** Creates the step control of a scene.
+   * @param smallest_relaxation_time limits adaptive steps, which are at most as
+   * long as those of Steps per period.
+   * @throw NumericalError if steps to be checked exceed the stability limit. */
   std::unique_ptr<StepControl>
   make_step_control(const TimeIntegrationParameters &parameters,
                     const StepList                  &steps,

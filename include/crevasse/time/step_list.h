@@ -9,21 +9,20 @@
 
 namespace Crevasse
 {
-  /** The instants 0 = t₀ < t₁ < … = T at which a period is sampled: M = 1 +
-   * number of steps in the paper's count. Adaptive steps change while they are
-   * taken. */
+  /** Instants 0 = t₀ < t₁ < … = T at which a period is sampled: M = 1 + number
+   * of steps in the paper's count. Adaptive steps change as they are taken. */
   class StepList
   {
   public:
-    /** Uniform steps, or the scene's list completed by 0 and the period; for
-     * adaptive steps both, as a first guess.
+    /** Creates uniform steps, or the scene's list completed by 0 and the
+     * period; for adaptive steps both, as a first guess.
      *
-     * @param more instants at which steps end if they are adaptive. */
+     * @param more instants at which adaptive steps end. */
     StepList(const TimeIntegrationParameters &parameters,
              const double                     period,
              const std::vector<double>       &more = {});
 
-    /** The steps that a scene asks for. */
+    /** Creates the steps of a scene. */
     explicit StepList(const Scene &scene)
       : StepList(scene.time_integration,
                  scene.loads.period,
@@ -38,7 +37,7 @@ namespace Crevasse
       instants = new_instants;
     }
 
-    /** Ends step @p k at @p t, where a new one begins. */
+    /** Divides step @p k at @p t. */
     void
     divide(const unsigned int k, const double t)
     {
@@ -51,16 +50,16 @@ namespace Crevasse
       archive.common(instants);
     }
 
-    /** Makes known that loads or material jump at these instants: a step that
-     * ends there sees what was before, the next one what comes after. Adaptive
-     * steps end there in any case. */
+    /** Sets the instants at which loads or material jump: a step that ends
+     * there sees values before the jump, the next step values after it.
+     * Adaptive steps always end there. */
     void
     set_jumps(const std::vector<double> &new_jumps);
 
     bool
     jumps_at(const double t) const;
 
-    /** By so little that nothing changes but by a jump. */
+    /** An instant so little before @p t that only jumps make a difference. */
     double
     just_before(const double t) const
     {
@@ -79,16 +78,15 @@ namespace Crevasse
       return instants.back();
     }
 
-    /** Instant k within the period, 0 ≤ k ≤ n_steps(). */
+    /** Instant k of the period, 0 ≤ k ≤ n_steps(). */
     double
     instant(const unsigned int k) const
     {
       return instants[k];
     }
 
-    /** Instants at which steps end in any case: those that the scene names, 0,
-     * the period and jumps; where steps are adaptive, those of equal steps as
-     * well. */
+    /** Instants at which steps always end: instants that the scene names, 0,
+     * the period and jumps; with adaptive steps also those of equal steps. */
     const std::vector<double> &
     fixed_instants() const
     {
@@ -104,22 +102,22 @@ namespace Crevasse
     double
     largest_step() const;
 
-    /** Beginnings and middles of all steps, and the instants at the given
-     * fractions of each, all within the period: where what holds for the whole
-     * period is looked at. */
+    /** Beginnings and middles of all steps, and instants at the given fractions
+     * of each step, all within the period: instants for checks of conditions on
+     * the whole period. */
     std::vector<double>
     survey_instants(const std::vector<double> &fractions) const;
 
-    /** The step whose beginning is nearest to @p t, as if the period were
-     * repeated. */
+    /** Index of the step whose beginning is nearest to @p t, as if the period
+     * were repeated. */
     unsigned int
     nearest(const double t) const;
 
-    /** Brings a time into [0, T[: whatever is written is periodic. */
+    /** Maps a time to [0, T[, as loads and formulas are periodic. */
     double
     within_period(const double t) const
     {
-      // A stage may end on the period but for rounding.
+      // A stage may end on the period up to rounding.
       const double rest = t - period() * std::floor(t / period());
       return rest >= period() * (1. - 1e-14) ? 0. : rest;
     }
