@@ -93,8 +93,10 @@ namespace Crevasse
   ObservedPeriods<dim>::begins_another(Vector &r)
   {
     const bool ends = is_over();
-    // The start of the first period on another mesh cannot be reproduced.
-    if (ends && has_memory() && integration.step_control.repeats_steps() &&
+    // The start of the first period on another mesh cannot be reproduced, nor
+    // can implicit stages of a power law, which start from earlier ones.
+    if (ends && has_memory() && integration.evolution.is_linear() &&
+        integration.step_control.repeats_steps() &&
         !integration.integrator->properties.controls_steps &&
         std::isfinite(so_far.stress_change.back()))
       replay_from = r_before;

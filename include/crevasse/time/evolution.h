@@ -100,6 +100,13 @@ namespace Crevasse
       return elastic_stress;
     }
 
+    /** Whether rates are linear in the stress of the last evaluation. */
+    bool
+    is_linear() const
+    {
+      return fastest < 0.;
+    }
+
     double
     relaxation_rate() const override;
 
