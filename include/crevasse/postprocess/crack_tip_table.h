@@ -47,12 +47,14 @@ namespace Crevasse
     {
       if (instants.empty())
         return;
-      add_changes_of_lip();
       using Values         = CrackTipValues;
       const auto intensity = [](const Values &v) { return v.intensity; };
-      const auto error     = [](const Values &v) { return v.error; };
-      Summary    tip       = place_and_method();
-      tip["why"]           = analysis.intensity.why_no_integral();
+      // A lip without K at all samples has only rounding in between.
+      if (std::any_of(of_last_period.begin(), of_last_period.end(), intensity))
+        add_changes_of_lip();
+      const auto error = [](const Values &v) { return v.error; };
+      Summary    tip   = place_and_method();
+      tip["why"]       = analysis.intensity.why_no_integral();
       summarise_intensity(
         CrackMode::opening, "  crack tip: ", intensity, error, tip);
       tip["energy_release_rate"] =
