@@ -70,14 +70,14 @@ namespace Crevasse
 
   template <int dim>
   std::vector<double>
-  LipClosure<dim>::openings(const Sample &sample) const
+  LipClosure<dim>::openings(const Sample &sample)
   {
     const auto here =
       body.lip.states(sample.state.displacement, sample.state.contact_forces);
-    const auto rates =
-      sample.secular_flow == nullptr
-        ? std::vector<double>(here.size())
-        : opening_rates(body.lip, sample.secular_flow->velocity);
+    if (!rates)
+      rates = sample.secular_flow == nullptr
+                ? std::vector<double>(here.size())
+                : opening_rates(body.lip, sample.secular_flow->velocity);
     std::vector<double> values(places.size());
     for (unsigned int k = 0; k < here.size(); ++k)
       {
@@ -87,7 +87,7 @@ namespace Crevasse
         // Nodes that the flow opens for good only have residual forces. A node
         // without weight may be the only pressed node.
         constexpr double least         = std::numeric_limits<double>::min();
-        values[place - places.begin()] = here[k].is_closed && rates[k] == 0.
+        values[place - places.begin()] = here[k].is_closed && (*rates)[k] == 0.
                                            ? -std::max(here[k].pressure, least)
                                            : std::max(0., here[k].opening);
       }

@@ -94,7 +94,7 @@ namespace Crevasse
     /** Computes Moment::openings, of the periodic state if a flow is split off.
      * Collective. */
     std::vector<double>
-    openings(const Sample &sample) const;
+    openings(const Sample &sample);
 
     /** Least and largest opening of a lip, or of all if @p lip is n_lips. */
     std::pair<double, double>
@@ -122,6 +122,9 @@ namespace Crevasse
     std::vector<unsigned int>       places; ///< index in LipBasis of each node
                                             ///< with unknowns
     unsigned int n_lips = 0;
+
+    /** opening_rates() of the flow that is split off, once it is known. */
+    std::optional<std::vector<double>> rates;
 
     std::vector<Moment> period; ///< moments of last period
     std::vector<Change> changes;

@@ -42,8 +42,7 @@ namespace Crevasse
   std::vector<double>
   opening_rates(const ContactBoundary<dim> &lip, const Vector &velocity)
   {
-    constexpr double    rounding = 1e-10;
-    const double        opens    = rounding * velocity.linfty_norm();
+    const double opens = 1e-10 * velocity.linfty_norm(); // beyond rounding
     std::vector<double> rates;
     for (const LipNode<dim> &node : lip.nodes)
       {
