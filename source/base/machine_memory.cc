@@ -5,14 +5,9 @@
 #include <crevasse/base/machine_memory.h>
 #include <crevasse/base/text.h>
 
-#include <deal.II/base/timer.h>
-#include <deal.II/base/vectorization.h>
-
 #include <algorithm>
-#include <array>
 #include <fstream>
 #include <limits>
-#include <numeric>
 #include <sstream>
 
 namespace Crevasse
@@ -177,33 +172,6 @@ namespace Crevasse
   {
     return Utilities::MPI::gather(
       communicator, kibibyte * number_in("/proc/self/status", "VmHWM:", 0.));
-  }
-
-
-
-  double
-  read_bandwidth(const double bytes)
-  {
-    // Independent sums, so that additions do not wait for one another.
-    using Sums = std::array<VectorizedArray<double>, 16>;
-    Sums sums;
-    sums.fill(1.);
-    const std::vector<Sums> values(1 + std::size_t(std::min(bytes, 256e6) /
-                                                   sizeof(Sums)),
-                                   sums);
-    const Timer             all;
-    double                  least = infinite;
-    // The compiler would remove sums whose value is not used.
-    while (all.wall_time() < 0.05 ||
-           std::accumulate(sums.begin(), sums.end(), 0. * sums[0])[0] == 0.)
-      {
-        const Timer pass;
-        for (const Sums &some : values)
-          for (unsigned int k = 0; k < sums.size(); ++k)
-            sums[k] += some[k];
-        least = std::min(least, pass.wall_time());
-      }
-    return values.size() * sizeof(Sums) / least;
   }
 
 

@@ -2,7 +2,6 @@
 // Copyright (C) 2026 by the Crevasse authors
 
 #include <crevasse/base/format.h>
-#include <crevasse/base/machine_memory.h>
 #include <crevasse/base/meters.h>
 
 #include <algorithm>
@@ -10,7 +9,7 @@
 namespace Crevasse
 {
   double
-  report_meters(const MPI_Comm communicator, Log &log, Summary &summary)
+  report_meters(Log &log, Summary &summary)
   {
     Stopwatch::update();
     const double                               total = meters[all_else].seconds;
@@ -38,19 +37,8 @@ namespace Crevasse
         table += Text::format(" %8.0f  %10.4g", m.calls, 1e3 * mean);
         if (name == "contact problems")
           summary["seconds"]["vi_mean"] = m.seconds / m.calls;
-        if (name != "linear solves")
-          continue;
-        summary["seconds"]["back_solve_mean"] = mean;
-        if (!log.is_verbose)
-          continue;
-        // All ranks read at once, and wait for the slowest. A linear solve
-        // reads a factor twice.
-        const double bytes = m.bytes / m.calls;
-        const double least = dealii::Utilities::MPI::max(
-          bytes > 0. ? bytes / read_bandwidth(bytes / 2.) : 0., communicator);
-        table += least == 0. ? "  -"
-                             : Text::format("  %.0f %% of what memory allows",
-                                            100. * least / mean);
+        if (name == "linear solves")
+          summary["seconds"]["back_solve_mean"] = mean;
       }
     summary["seconds"]["total"] = total;
     if (log.is_verbose)

@@ -3,7 +3,6 @@
 
 #include <crevasse/base/checked_file.h>
 #include <crevasse/base/problems.h>
-#include <crevasse/base/text.h>
 #include <crevasse/base/text_file.h>
 #include <crevasse/checkpoint/scene_difference.h>
 

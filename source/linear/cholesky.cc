@@ -197,11 +197,6 @@ namespace Crevasse
       }
     factor->factorise(A, *pattern);
     condense();
-    // Both substitutions read the factor, without the block of the lip.
-    const double          of_lip = double(lip.size()) * lip.size();
-    const cholmod_factor &L      = *factor->L;
-    bytes_per_solve =
-      2. * ((L.xsize - of_lip) * sizeof(double) + L.ssize * sizeof(int));
   }
 
 

@@ -10,7 +10,7 @@ namespace Crevasse
                                const Vector     &right_hand_side,
                                const LipProblem &lip_problem)
   {
-    const Stopwatch watch("linear solves", 1., bytes_per_solve);
+    const Stopwatch watch("linear solves");
     back_solve_with_lip(solution.begin(),
                         right_hand_side.begin(),
                         [&](LipVector &values) {

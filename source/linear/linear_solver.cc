@@ -10,7 +10,7 @@ namespace Crevasse
                       const Vector &right_hand_side,
                       const double  residual_norm)
   {
-    const Stopwatch watch("linear solves", 1., bytes_per_solve);
+    const Stopwatch watch("linear solves");
     iterations += apply_inverse(solution, right_hand_side, residual_norm);
     ++solves;
   }

@@ -20,10 +20,6 @@ namespace Crevasse
     factor.factorise(triangle);
     schur_complement.swap(factor.schur_complement); // no copy
     lip_factor = schur_complement;
-    // Factor: INFO(9) numbers, if negative in millions; INFO(10) indices.
-    const double n  = factor.data.info[8];
-    bytes_per_solve = 2. * (std::max(n, -1e6 * n) * sizeof(double) +
-                            factor.data.info[9] * sizeof(int));
     lip_factor.set_property(dealii::LAPACKSupport::symmetric);
     collectively(factor.communicator, [&]() {
       // Without pivoting, the matrix is positive definite if no pivot is < 0.

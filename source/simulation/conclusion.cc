@@ -133,8 +133,7 @@ namespace Crevasse
     summary["periods"]               = result.periods;
     summary["converged"]             = // null: nothing was marched
       result.periods > 0 ? Summary(result.converged) : Summary();
-    const double seconds =
-      report_meters(communicator, work.output.log, summary);
+    const double seconds = report_meters(work.output.log, summary);
     summary["processor_seconds"] =
       Utilities::MPI::max(state.timer.cpu_time(), communicator);
     const std::vector<double> peaks = peak_memory_of_ranks(communicator);

@@ -70,8 +70,6 @@ namespace Crevasse
     }
 
     SerializationScope(const SerializationScope &) = delete;
-    SerializationScope &
-    operator=(const SerializationScope &) = delete;
 
   private:
     Checkpointer *const checkpointer;

@@ -20,8 +20,6 @@ namespace Crevasse
     ~DirectoryLock();
 
     DirectoryLock(const DirectoryLock &) = delete;
-    DirectoryLock &
-    operator=(const DirectoryLock &) = delete;
 
   private:
     const std::string name;

@@ -25,11 +25,6 @@ namespace Crevasse
   std::vector<double>
   peak_memory_of_ranks(const MPI_Comm communicator);
 
-  /** Memory bandwidth of this process in bytes per second, measured by reading
-   * an array of this size, at most 256 MB, for 0.1 s. */
-  double
-  read_bandwidth(const double bytes);
-
   /** Number of bytes as text, "1.23 GB". */
   std::string
   gigabytes(const double bytes);

@@ -21,13 +21,12 @@ namespace Crevasse
     double seconds = 0.;
     double own     = 0.; ///< seconds without those of nested meters
     double calls   = 0.;
-    double bytes   = 0.; ///< bytes that the calls read, if memory limits them
 
     template <typename Archive>
     void
     serialize(Archive &archive, const unsigned int)
     {
-      archive &seconds &own &calls &bytes;
+      archive &seconds &own &calls;
     }
   };
 
@@ -42,13 +41,10 @@ namespace Crevasse
   class Stopwatch
   {
   public:
-    /** @param calls and @p bytes are not added if an exception ends it. */
-    explicit Stopwatch(const char  *name,
-                       const double calls = 1.,
-                       const double bytes = 0.)
+    /** @param calls is not added if an exception ends it. */
+    explicit Stopwatch(const char *name, const double calls = 1.)
       : name(name)
       , calls(calls)
-      , bytes(bytes)
     {
     }
 
@@ -56,10 +52,8 @@ namespace Crevasse
     {
       Meter &meter = add_time();
       innermost    = outer;
-      if (std::uncaught_exceptions() > 0)
-        return;
-      meter.calls += calls;
-      meter.bytes += bytes;
+      if (std::uncaught_exceptions() == 0)
+        meter.calls += calls;
     }
 
     Stopwatch(const Stopwatch &) = delete;
@@ -96,7 +90,7 @@ namespace Crevasse
     inline static Stopwatch *innermost = nullptr;
 
     const char *const name; ///< name of the meter, a literal
-    const double      calls, bytes;
+    const double      calls;
     Stopwatch *const  outer     = std::exchange(innermost, this);
     double            of_others = 0.;
     Clock::time_point begin     = Clock::now();
@@ -105,13 +99,12 @@ namespace Crevasse
   /** Name of the meter that runs from the beginning to the end of a run. */
   constexpr const char *all_else = "all else";
 
-  /** Adds the times of all meters on rank 0 to the summary. If the log is
-   * verbose, prints them as a table, with the bound that the bandwidth of the
-   * memory sets on the linear solves. Collective.
+  /** Adds the times of all meters of this process to the summary. If the log is
+   * verbose, prints them as a table.
    *
    * @return the seconds of the run. */
   double
-  report_meters(const MPI_Comm communicator, Log &log, Summary &summary);
+  report_meters(Log &log, Summary &summary);
 } // namespace Crevasse
 
 #endif

@@ -55,8 +55,6 @@ namespace Crevasse
     ~StopRequests();
 
     StopRequests(const StopRequests &) = delete;
-    StopRequests &
-    operator=(const StopRequests &) = delete;
 
     /** Starts to look for a file "stop" in this directory. Removes a file
      * "stop" that was meant for an earlier run. Collective. */

@@ -92,8 +92,7 @@ namespace Crevasse
                   const Vector &right_hand_side,
                   const double  residual_norm) = 0;
 
-    std::size_t solves          = 0;
-    double      bytes_per_solve = 0.; ///< bytes of the factor read on this rank
+    std::size_t solves = 0;
 
   private:
     std::size_t iterations = 0;
