@@ -94,8 +94,8 @@ namespace Crevasse
   {
     const bool ends = is_over();
     // The start of the first period on another mesh cannot be reproduced, nor
-    // can implicit stages of a power law, which start from earlier ones.
-    if (ends && has_memory() && integration.evolution.is_linear() &&
+    // can iterative solutions, which start from earlier ones.
+    if (ends && has_memory() && integration.evolution.repeats_exactly() &&
         integration.step_control.repeats_steps() &&
         !integration.integrator->properties.controls_steps &&
         std::isfinite(so_far.stress_change.back()))

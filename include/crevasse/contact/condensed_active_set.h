@@ -36,6 +36,13 @@ namespace Crevasse
     std::string
     description() const override;
 
+    /** Without unconstrained motions one factorisation gives the solution. */
+    bool
+    is_exact() const override
+    {
+      return free_motions.n() == 0;
+    }
+
     void
     start_from(const std::vector<bool> &closed_bounds) override;
 

@@ -99,6 +99,13 @@ namespace Crevasse
     virtual std::size_t
     memory_consumption() const;
 
+    /** Whether solutions do not depend on where the iteration starts. */
+    virtual bool
+    is_exact() const
+    {
+      return false;
+    }
+
     /** Name and settings of the method for the log and the summary. */
     virtual std::string
     description() const = 0;

@@ -100,11 +100,12 @@ namespace Crevasse
       return elastic_stress;
     }
 
-    /** Whether rates are linear in the stress of the last evaluation. */
+    /** Whether evaluations repeat to the last bit: rates are linear in the
+     * stress, and the contact solver of the last one is exact. */
     bool
-    is_linear() const
+    repeats_exactly() const
     {
-      return fastest < 0.;
+      return fastest < 0. && last_solver->is_exact();
     }
 
     double
