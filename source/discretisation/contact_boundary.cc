@@ -4,6 +4,7 @@
 #include <crevasse/base/problems.h>
 #include <crevasse/base/text.h>
 #include <crevasse/discretisation/contact_boundary.h>
+#include <crevasse/grid/mesh.h>
 
 #include <deal.II/base/bounding_box.h>
 #include <deal.II/grid/grid_tools.h>
@@ -30,42 +31,37 @@ namespace Crevasse
 
 
   template <int dim>
-  ContactBoundary<dim>::ContactBoundary(const Space<dim> &space,
-                                        Expression      &&gap_formula)
-    : space(space)
+  ContactBoundary<dim>::ContactBoundary(const LipBasis<dim>   &basis,
+                                        const DoFHandler<dim> &dof_handler,
+                                        const IndexSet        &owned_unknowns,
+                                        Expression           &&gap_formula)
+    : basis(basis)
+    , dof_handler(dof_handler)
     , gap(std::move(gap_formula))
-    , rounding(rounding_of_coordinates<dim>(space.mesh()))
+    , rounding(rounding_of_coordinates<dim>(dof_handler.get_triangulation()))
   {
-    const auto &all   = space.lip.nodes;
-    const auto &owned = space.locally_owned_unknowns;
+    const auto &all = basis.nodes;
+
     std::map<types::global_dof_index, unsigned int> n_at;
     for (unsigned int i = 0; i < all.size(); ++i)
       {
         const auto  &node      = all[i];
         const double gap_there = gap_at(node.point);
-        Place        place;
+        if (node.has_unknown() && owned_unknowns.is_element(node.unknown))
+          nodes.push_back({node, i, gap_there});
+        Place place;
         if (node.weight > 0.)
-          place.masters.emplace_back(node.unknown, 1.);
-        for (const auto &[number, factor] : node.masters)
-          place.masters.emplace_back(all[number].unknown, factor);
-        if (node.has_unknown() && owned.is_element(node.unknown))
-          nodes.push_back({node.unknown,
-                           node.sign,
-                           gap_there,
-                           node.weight,
-                           node.area,
-                           place.masters.empty() ? numbers::invalid_dof_index
-                                                 : place.masters[0].first,
-                           node.point,
-                           i,
-                           node.normal});
+          place.masters.emplace_back(i, 1.);
+        place.masters.insert(place.masters.end(),
+                             node.masters.begin(),
+                             node.masters.end());
         for (const auto first :
              std::set<types::global_dof_index>(node.sides.begin(),
                                                node.sides.end()))
           if (first != numbers::invalid_dof_index)
             {
               place.dof = first + node.component();
-              if (owned.is_element(place.dof))
+              if (owned_unknowns.is_element(place.dof))
                 {
                   places.push_back(place);
                   ++n_at[place.dof];
@@ -73,45 +69,96 @@ namespace Crevasse
             }
       }
     for (Place &place : places)
-      for (auto &[unknown, factor] : place.masters)
+      for (auto &[number, factor] : place.masters)
         factor /= n_at[place.dof];
     std::sort(nodes.begin(),
               nodes.end(),
               [](const LipNode<dim> &a, const LipNode<dim> &b) {
-                return a.dof < b.dof;
+                return a.unknown < b.unknown;
               });
   }
 
 
 
   template <int dim>
-  std::vector<LipNodeState>
+  std::vector<PairState>
   ContactBoundary<dim>::states(const Vector              &displacement,
                                const std::vector<double> &contact_forces) const
   {
-    const double touching  = 1e-10 * displacement.linfty_norm();
-    Vector       pressures = space.ghosted_vector(); // negative if open
-    std::vector<LipNodeState> all;
+    const double           touching = 1e-10 * displacement.linfty_norm();
+    std::vector<double>    pressures(basis.nodes.size()); // negative if open
+    std::vector<PairState> all;
     for (unsigned int k = 0; k < nodes.size(); ++k)
       {
         const LipNode<dim> &node  = nodes[k];
         const double        force = contact_forces[k],
-                     opening      = node.opening(displacement);
+                     opening      = node.normal_part(displacement) - node.gap;
         const bool is_pressed = force > negligible_force && opening <= touching;
         all.push_back({opening, 0., is_pressed});
         if (node.weight > 0.)
-          pressures(node.dof) =
+          pressures[node.number] =
             (is_pressed ? force : -std::abs(force)) / node.weight;
       }
-    pressures.update_ghost_values();
+    Utilities::MPI::sum(pressures, dof_handler.get_communicator(), pressures);
     for (unsigned int k = 0; k < nodes.size(); ++k)
-      if (nodes[k].source != numbers::invalid_dof_index)
+      if (const LipNode<dim> &node = nodes[k];
+          node.weight > 0. || !node.masters.empty())
         {
-          const double value = pressures(nodes[k].source);
-          all[k].pressure    = std::abs(value);
-          all[k].is_closed   = all[k].is_closed || value > 0.;
+          const double value =
+            pressures[node.weight > 0. ? node.number
+                                       : node.masters.front().first];
+          all[k].pressure  = std::abs(value);
+          all[k].is_closed = all[k].is_closed || value > 0.;
         }
     return all;
+  }
+
+
+
+  template <int dim>
+  LipTotals
+  ContactBoundary<dim>::totals(const Vector              &displacement,
+                               const std::vector<double> &contact_forces) const
+  {
+    const MPI_Comm      communicator = dof_handler.get_communicator();
+    std::vector<double> sums         = {0., force(contact_forces)}, maxima(2);
+    for (const PairState &pair : states(displacement, contact_forces))
+      {
+        sums[0] += pair.is_closed ? 1. : 0.;
+        maxima[0] = std::max(maxima[0], pair.pressure);
+        maxima[1] = std::max(maxima[1], pair.opening);
+      }
+    Utilities::MPI::sum(sums, communicator, sums);
+    Utilities::MPI::max(maxima, communicator, maxima);
+    return {static_cast<unsigned int>(sums[0]), sums[1], maxima[0], maxima[1]};
+  }
+
+
+
+  template <int dim>
+  double
+  ContactBoundary<dim>::force(const std::vector<double> &contact_forces) const
+  {
+    double sum = 0.;
+    for (unsigned int k = 0; k < nodes.size(); ++k)
+      sum += nodes[k].force(contact_forces[k]);
+    return sum;
+  }
+
+
+
+  template <int dim>
+  std::vector<double>
+  ContactBoundary<dim>::opening_rates(const Vector &velocity) const
+  {
+    const double opens = 1e-10 * velocity.linfty_norm(); // beyond rounding
+    std::vector<double> rates;
+    for (const LipNode<dim> &node : nodes)
+      {
+        const double rate = node.normal_part(velocity);
+        rates.push_back(rate > opens ? rate : 0.);
+      }
+    return rates;
   }
 
 
@@ -121,15 +168,36 @@ namespace Crevasse
   ContactBoundary<dim>::pressure(
     const std::vector<double> &contact_forces) const
   {
-    Vector at_unknowns = space.ghosted_vector();
+    std::vector<double> at_nodes(basis.nodes.size());
     for (unsigned int k = 0; k < nodes.size(); ++k)
       if (nodes[k].weight > 0.)
-        at_unknowns(nodes[k].dof) = contact_forces[k] / nodes[k].weight;
-    at_unknowns.update_ghost_values();
-    Vector values = make_vector(space.dof_handler);
+        at_nodes[nodes[k].number] = contact_forces[k] / nodes[k].weight;
+    Utilities::MPI::sum(at_nodes, dof_handler.get_communicator(), at_nodes);
+    Vector values = make_vector(dof_handler);
     for (const Place &place : places)
-      for (const auto &[unknown, factor] : place.masters)
-        values(place.dof) += factor * at_unknowns(unknown);
+      for (const auto &[number, factor] : place.masters)
+        values(place.dof) += factor * at_nodes[number];
+    values.update_ghost_values();
+    return values;
+  }
+
+
+
+  template <int dim>
+  Vector
+  ContactBoundary<dim>::opening(const Vector &nodal_values) const
+  {
+    const auto jumps  = basis.jumps(nodal_values);
+    Vector     values = make_vector(dof_handler);
+    for (unsigned int i = 0; i < jumps.size(); ++i)
+      for (const auto first : basis.nodes[i].sides)
+        if (first != numbers::invalid_dof_index && values.in_local_range(first))
+          {
+            const auto  &node    = basis.nodes[i];
+            const double opening = jumps[i] * node.normal - gap_at(node.point);
+            double      &value   = values(first + node.component());
+            value = value == 0. ? opening : std::min(value, opening);
+          }
     values.update_ghost_values();
     return values;
   }
@@ -141,14 +209,14 @@ namespace Crevasse
   ContactBoundary<dim>::of_contact_forces(Vector &weights) const
   {
     weights.compress(VectorOperation::add);
-    Vector at_unknowns = space.ghosted_vector();
+    std::vector<double> at_nodes(basis.nodes.size());
     for (const Place &place : places)
-      for (const auto &[unknown, factor] : place.masters)
-        at_unknowns(unknown) += factor * weights(place.dof);
-    at_unknowns.compress(VectorOperation::add);
+      for (const auto &[number, factor] : place.masters)
+        at_nodes[number] += factor * weights(place.dof);
+    Utilities::MPI::sum(at_nodes, dof_handler.get_communicator(), at_nodes);
     std::vector<double> factors;
     for (const LipNode<dim> &node : nodes)
-      factors.push_back(node.weight > 0. ? at_unknowns(node.dof) / node.weight
+      factors.push_back(node.weight > 0. ? at_nodes[node.number] / node.weight
                                          : 0.);
     return factors;
   }

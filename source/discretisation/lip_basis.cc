@@ -4,9 +4,10 @@
 #include <crevasse/base/problems.h>
 #include <crevasse/base/text.h>
 #include <crevasse/discretisation/lip_basis.h>
-#include <crevasse/discretisation/space.h>
 
 #include <algorithm>
+#include <boost/graph/adjacency_list.hpp>
+#include <boost/graph/connected_components.hpp>
 #include <boost/serialization/map.hpp>
 #include <boost/serialization/utility.hpp>
 #include <boost/serialization/vector.hpp>
@@ -59,12 +60,16 @@ namespace Crevasse
 
 
   template <int dim>
-  LipBasis<dim>::LipBasis(const Space<dim>                &space,
+  LipBasis<dim>::LipBasis(const DoFHandler<dim>           &dof_handler,
+                          const Mapping<dim>              &mapping,
+                          const Quadrature<dim - 1>       &face_rule,
+                          const BoundaryRoles             &roles,
                           const AffineConstraints<double> &supports)
-    : OpeningUnknowns(space.dof_handler.n_dofs())
+    : OpeningUnknowns(dof_handler.n_dofs())
   {
-    Surroundings surroundings = collect_nodes(find_lip_faces(space));
-    surroundings.supported    = gather_supports(space, supports);
+    Surroundings surroundings =
+      collect_nodes(find_lip_faces(dof_handler, mapping, face_rule, roles));
+    surroundings.supported = gather_supports(dof_handler, supports);
     for (Node &node : nodes)
       if (!hangs(node, surroundings))
         make_opening(node, surroundings.supported);
@@ -75,6 +80,7 @@ namespace Crevasse
         node.unknown = found->second;
     set_weights(surroundings);
     choose_masters(surroundings);
+    number_lips(surroundings);
   }
 
 
@@ -177,10 +183,10 @@ namespace Crevasse
   template <int dim>
   OpeningUnknowns::Meanings
   LipBasis<dim>::gather_supports(
-    const Space<dim>                &space,
+    const DoFHandler<dim>           &dof_handler,
     const AffineConstraints<double> &supports) const
   {
-    const IndexSet &owned = space.dof_handler.locally_owned_dofs();
+    const IndexSet &owned = dof_handler.locally_owned_dofs();
     Meanings        mine, all;
     for (const Node &node : nodes)
       for (const Index first : node.sides)
@@ -189,7 +195,8 @@ namespace Crevasse
               first != numbers::invalid_dof_index && owned.is_element(dof))
             if (const auto *entries = supports.get_constraint_entries(dof))
               mine[dof] = *entries;
-    for (auto &of_rank : Utilities::MPI::all_gather(space.communicator(), mine))
+    for (auto &of_rank :
+         Utilities::MPI::all_gather(dof_handler.get_communicator(), mine))
       all.merge(of_rank);
     return all;
   }
@@ -329,6 +336,48 @@ namespace Crevasse
           nodes[master].area += factor * node.area;
         node.masters = masters;
       }
+  }
+
+
+
+  template <int dim>
+  void
+  LipBasis<dim>::number_lips(const Surroundings &surroundings)
+  {
+    boost::adjacency_list<boost::vecS, boost::vecS, boost::undirectedS> graph(
+      nodes.size());
+    for (const auto &on_face : surroundings.nodes_of_faces)
+      for (const unsigned int i : on_face)
+        add_edge(on_face.front(), i, graph);
+    const auto &nodes_at = surroundings.nodes_at;
+    for (const auto &[first, i] : nodes_at)
+      add_edge(nodes_at.find(first)->second, i, graph);
+    std::vector<unsigned int> numbers(nodes.size());
+    boost::connected_components(graph, numbers.data());
+    for (unsigned int i = 0; i < nodes.size(); ++i)
+      nodes[i].lip = numbers[i];
+  }
+
+
+
+  template <int dim>
+  std::vector<Tensor<1, dim>>
+  LipBasis<dim>::jumps(const Vector &nodal_values) const
+  {
+    std::vector<double> all(nodes.size() * dim);
+    for (unsigned int i = 0; i < all.size(); ++i)
+      for (const unsigned int side : {0, 1})
+        // A node's degrees of freedom are on one rank. At a rigid plane a node
+        // has one side.
+        if (const auto first = nodes[i / dim].sides[side];
+            first != numbers::invalid_dof_index &&
+            nodal_values.in_local_range(first))
+          all[i] += (side == 0 ? 1. : -1.) * nodal_values(first + i % dim);
+    Utilities::MPI::sum(all, nodal_values.get_mpi_communicator(), all);
+    std::vector<Tensor<1, dim>> jumps(nodes.size());
+    for (unsigned int i = 0; i < all.size(); ++i)
+      jumps[i / dim][i % dim] = all[i];
+    return jumps;
   }
 
 

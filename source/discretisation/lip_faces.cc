@@ -4,8 +4,9 @@
 #include <crevasse/base/of_all_ranks.h>
 #include <crevasse/base/text.h>
 #include <crevasse/discretisation/lip_faces.h>
-#include <crevasse/discretisation/space.h>
+#include <crevasse/grid/mesh.h>
 
+#include <deal.II/fe/fe_values.h>
 #include <deal.II/numerics/rtree.h>
 
 #include <algorithm>
@@ -57,26 +58,29 @@ namespace Crevasse
 
   template <int dim>
   std::vector<LipFace<dim>>
-  find_lip_faces(const Space<dim> &space)
+  find_lip_faces(const DoFHandler<dim>     &dof_handler,
+                 const Mapping<dim>        &mapping,
+                 const Quadrature<dim - 1> &rule,
+                 const BoundaryRoles       &roles)
   {
-    if (!space.roles.has_lip())
+    if (!roles.has_lip())
       return {};
-    const FESystem<dim>                 &fe = space.finite_element;
-    FEFaceValues<dim>                    values(space.mapping,
+    const FiniteElement<dim>            &fe = dof_handler.get_fe();
+    FEFaceValues<dim>                    values(mapping,
                              fe,
-                             space.face_quadrature(),
+                             rule,
                              update_values | update_normal_vectors |
                                update_JxW_values | update_quadrature_points);
-    FEValues<dim>                        support(space.mapping,
+    FEValues<dim>                        support(mapping,
                           fe,
                           Quadrature<dim>(fe.get_unit_support_points()),
                           update_quadrature_points);
     std::vector<types::global_dof_index> dofs(fe.n_dofs_per_cell());
     std::vector<LipFace<dim>>            faces;
-    for (const auto &cell : owned_cells(space.dof_handler))
+    for (const auto &cell : owned_cells(dof_handler))
       for (const unsigned int f : cell->face_indices())
         if (const auto face = cell->face(f);
-            face->at_boundary() && space.roles.is_lip(face->boundary_id()))
+            face->at_boundary() && roles.is_lip(face->boundary_id()))
           {
             values.reinit(cell, f);
             support.reinit(cell);
@@ -86,12 +90,12 @@ namespace Crevasse
               {{cell_id[0], cell_id[1], cell_id[2], cell_id[3], f}},
               face->center(),
               face->diameter(),
-              space.roles.crack.count(face->boundary_id()) > 0,
-              nodes_of<dim>(values, support, dofs, space.roles.has_axis)};
+              roles.crack.count(face->boundary_id()) > 0,
+              nodes_of<dim>(values, support, dofs, roles.has_axis)};
             faces.push_back(mine);
           }
 
-    auto all = of_all_ranks(space.communicator(), faces);
+    auto all = of_all_ranks(dof_handler.get_communicator(), faces);
     std::sort(all.begin(),
               all.end(),
               [](const LipFace<dim> &a, const LipFace<dim> &b) {

@@ -48,7 +48,8 @@ namespace Crevasse
                                                   mapping,
                                                   dof_handler);
     make_supports();
-    lip = LipBasis<dim>(*this, supports_and_hanging);
+    lip = LipBasis<dim>(
+      dof_handler, mapping, face_rule, roles, supports_and_hanging);
     number_unknowns();
     choose_rules();
     make_constraints(lips_closed);

@@ -224,7 +224,10 @@ namespace Crevasse
     , points(space)
     , material(space, points, law, temperature)
     , strain_operator(space, points)
-    , lip(space, Expression(*scene.boundary.gap))
+    , lip(space.lip,
+          space.dof_handler,
+          space.locally_owned_unknowns,
+          Expression(*scene.boundary.gap))
     , loads(space, strain_operator, scene.loads)
   {
     require_materials(scene, *mesh);
@@ -310,7 +313,7 @@ namespace Crevasse
     UnilateralBounds bounds;
     for (const LipNode<dim> &node : lip.nodes)
       {
-        bounds.dofs.push_back(node.dof);
+        bounds.dofs.push_back(node.unknown);
         bounds.sign.push_back(node.sign);
         bounds.gap.push_back(node.gap);
       }

@@ -219,10 +219,8 @@ namespace Crevasse
                  1,
                  space.dof_handler,
                  body.lip.pressure(snapshot.state.contact_forces)));
-    arrays.push_back(grid.nodal("opening",
-                                1,
-                                space.dof_handler,
-                                lip_opening(space, body.lip, displacement)));
+    arrays.push_back(grid.nodal(
+      "opening", 1, space.dof_handler, body.lip.opening(displacement)));
     if (!body.temperature.is_zero())
       {
         const auto theta =

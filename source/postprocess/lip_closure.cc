@@ -2,12 +2,8 @@
 // Copyright (C) 2026 by the Crevasse authors
 
 #include <crevasse/base/csv_table.h>
-#include <crevasse/discretisation/lip_faces.h>
 #include <crevasse/postprocess/lip_closure.h>
-#include <crevasse/postprocess/lip_state.h>
 
-#include <boost/graph/adjacency_list.hpp>
-#include <boost/graph/connected_components.hpp>
 #include <boost/math/tools/toms748_solve.hpp>
 
 namespace Crevasse
@@ -30,40 +26,14 @@ namespace Crevasse
     : body(body)
     , file_name(file_name)
     , evolution(evolution)
-    , lips(numbers_of_lips())
-  {
-    for (unsigned int i = 0; i < lips.size(); ++i)
-      if (body.space.lip.nodes[i].has_unknown())
-        {
-          places.push_back(i);
-          n_lips = std::max(n_lips, lips[i] + 1);
-        }
-  }
-
-
-
-  template <int dim>
-  std::vector<unsigned int>
-  LipClosure<dim>::numbers_of_lips() const
   {
     const auto &all = body.space.lip.nodes;
-    std::multimap<types::global_dof_index, unsigned int> nodes_at;
     for (unsigned int i = 0; i < all.size(); ++i)
-      for (const auto side : all[i].sides)
-        nodes_at.emplace(side, i);
-    boost::adjacency_list<boost::vecS, boost::vecS, boost::undirectedS> graph(
-      all.size());
-    for (const LipFace<dim> &face : find_lip_faces(body.space))
-      {
-        const auto first = nodes_at.find(face.nodes.front().first);
-        for (const auto &node : face.nodes)
-          for (auto [at, end] = nodes_at.equal_range(node.first); at != end;
-               ++at)
-            add_edge(first->second, at->second, graph);
-      }
-    std::vector<unsigned int> numbers(all.size());
-    boost::connected_components(graph, numbers.data());
-    return numbers;
+      if (all[i].has_unknown())
+        {
+          places.push_back(i);
+          n_lips = std::max(n_lips, all[i].lip + 1);
+        }
   }
 
 
@@ -77,7 +47,7 @@ namespace Crevasse
     if (!rates)
       rates = sample.secular_flow == nullptr
                 ? std::vector<double>(here.size())
-                : opening_rates(body.lip, sample.secular_flow->velocity);
+                : body.lip.opening_rates(sample.secular_flow->velocity);
     std::vector<double> values(places.size());
     for (unsigned int k = 0; k < here.size(); ++k)
       {
@@ -146,7 +116,7 @@ namespace Crevasse
     std::pair<double, double> found = {std::numeric_limits<double>::max(),
                                        std::numeric_limits<double>::lowest()};
     for (unsigned int i = 0; i < places.size(); ++i)
-      if (lip == n_lips || lips[places[i]] == lip)
+      if (lip == n_lips || body.space.lip.nodes[places[i]].lip == lip)
         {
           found.first  = std::min(found.first, moment.openings[i]);
           found.second = std::max(found.second, moment.openings[i]);
@@ -354,9 +324,9 @@ namespace Crevasse
               closed += closed_time(i, k) /
                         (period.back().instant - period.front().instant);
           }
-        std::vector<double> row   = {1. + lips[places[i]]};
-        const Point<dim>   &point = body.space.lip.nodes[places[i]].point;
-        row.insert(row.end(), point.begin_raw(), point.end_raw());
+        const auto         &node = body.space.lip.nodes[places[i]];
+        std::vector<double> row  = {1. + node.lip};
+        row.insert(row.end(), node.point.begin_raw(), node.point.end_raw());
         row.insert(row.end(), {closed, opening, pressure});
         rows.push_back(row);
       }
@@ -389,7 +359,7 @@ namespace Crevasse
                        [&tip](const auto &a, const auto &b) {
                          return a.point.distance(tip) < b.point.distance(tip);
                        });
-    return period_of(lips[nearest - all.begin()]);
+    return period_of(nearest->lip);
   }
 
 

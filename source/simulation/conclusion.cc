@@ -6,7 +6,6 @@
 #include <crevasse/base/machine_memory.h>
 #include <crevasse/base/text.h>
 #include <crevasse/base/version.h>
-#include <crevasse/postprocess/lip_state.h>
 #include <crevasse/simulation/conclusion.h>
 #include <crevasse/simulation/setup_report.h>
 #include <crevasse/simulation/warnings.h>
@@ -254,8 +253,7 @@ namespace Crevasse
       const auto       n_nodes      = setup.body.lip.nodes.size();
       const double     measured = secular["mean_contact_force_of_last_period"];
       const double     expected =
-        Utilities::MPI::sum(contact_force(setup.body.lip,
-                                          start.flow->contact_forces),
+        Utilities::MPI::sum(setup.body.lip.force(start.flow->contact_forces),
                             communicator);
       const double difference = std::abs(measured - expected);
       const double error = std::max(rounding, setup.scene.contact.tolerance) *

@@ -42,14 +42,15 @@ namespace Crevasse
       {
         if (work.start.choice.periods_are_iterates() && sample.step == 0)
           run.largest_displacement = run.largest_opening = viscous_strain = 0.;
+        const State &state = sample.state;
         run.largest_displacement =
           std::max(run.largest_displacement,
-                   largest_displacement(body.space, sample.state.displacement));
+                   body.space.largest_component(state.displacement));
         if (sample.viscous_strain.size() > 0)
           viscous_strain =
             std::max(viscous_strain, sample.viscous_strain.linfty_norm());
         if (body.effects.contact.on)
-          lip = lip_state(body.lip, sample.state);
+          lip = body.lip.totals(state.displacement, state.contact_forces);
         run.largest_opening =
           std::max(run.largest_opening, lip.largest_opening);
       }
@@ -109,7 +110,7 @@ namespace Crevasse
                 viscous_strain / run.largest_stress;
       }
 
-      LipState lip; ///< state at the last sample
+      LipTotals lip; ///< state at the last sample
 
     private:
       const Workspace<dim> &work;
@@ -151,10 +152,10 @@ namespace Crevasse
     class PeriodTable : public Observer
     {
     public:
-      PeriodTable(CsvTable      &&table,
-                  const Scene    &scene,
-                  const LipState &lip,
-                  Log            &log)
+      PeriodTable(CsvTable       &&table,
+                  const Scene     &scene,
+                  const LipTotals &lip,
+                  Log             &log)
         : table(std::move(table))
         , scene(scene)
         , lip(lip)
@@ -217,13 +218,13 @@ namespace Crevasse
       }
 
     private:
-      CsvTable        table;
-      const Scene    &scene;
-      const LipState &lip;
-      Log            &log;
-      const Timer     timer;
-      double          last_shown  = 0.;
-      double          done_before = -1.; ///< before this mesh or resume
+      CsvTable         table;
+      const Scene     &scene;
+      const LipTotals &lip;
+      Log             &log;
+      const Timer      timer;
+      double           last_shown  = 0.;
+      double           done_before = -1.; ///< before this mesh or resume
     };
   } // namespace
 
@@ -267,7 +268,7 @@ namespace Crevasse
     LipClosure<dim> *closure = nullptr;
     if (body.effects.contact.on)
       {
-        const LipState &lip = extremes->lip;
+        const LipTotals &lip = extremes->lip;
         add(std::make_unique<SampleTable>(
           tables.table("contact.csv",
                        {"t", "closed_nodes", "force", "largest_pressure"}),

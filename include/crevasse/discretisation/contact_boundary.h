@@ -5,31 +5,24 @@
 #define crevasse_discretisation_contact_boundary_h
 
 #include <crevasse/base/expression.h>
-#include <crevasse/discretisation/space.h>
+#include <crevasse/discretisation/lip_basis.h>
+
+#include <deal.II/base/index_set.h>
 
 namespace Crevasse
 {
   /** A contact node of the lips, on the rank that has its unknown. */
   template <int dim>
-  struct LipNode
+  struct LipNode : LipBasis<dim>::Node
   {
-    dealii::types::global_dof_index dof = 0; ///< opening: sign × u[dof] − gap
-    double sign   = 1.; ///< sign of the normal displacement
-    double gap    = 0.; ///< least normal displacement
-    double weight = 0.; ///< see LipBasis::Node
-    double area   = 0.; ///< ∫φ, with the shares of nodes without weight
-    /** Unknown of the node whose pressure this node takes: without weight
-     * another node's, or invalid. */
-    dealii::types::global_dof_index source = dof;
-    dealii::Point<dim>              point;
-    unsigned int                    number = 0; ///< number in LipBasis
-    dealii::Tensor<1, dim> normal; ///< unit normal into the first side's body
+    unsigned int number; ///< number in LipBasis
+    double       gap;    ///< least normal displacement
 
-    /** Opening u_N − gap. */
+    /** Normal displacement u_N of a displacement, or its rate. */
     double
-    opening(const Vector &displacement) const
+    normal_part(const Vector &displacement) const
     {
-      return sign * displacement(dof) - gap;
+      return this->sign * displacement(this->unknown);
     }
 
     /** Integral of the pressure over the part of the lip with this node's
@@ -37,19 +30,28 @@ namespace Crevasse
     double
     force(const double g) const
     {
-      return weight > 0. ? g / weight * area : g;
+      return this->weight > 0. ? g / this->weight * this->area : g;
     }
   };
 
   /** State of a contact node at an instant. */
-  struct LipNodeState
+  struct PairState
   {
     double opening;  ///< u_N − gap
-    double pressure; ///< pressure of the source node
-    /** Whether this node or its source is under pressure, not only in contact:
-     * its opening is negligible against the largest displacement of the body,
-     * its force not negligible against the loads. */
+    double pressure; ///< its own, or without weight that of its first master
+    /** Whether the node with this pressure, or this node, is under pressure,
+     * not only in contact: its opening is negligible against the largest
+     * displacement of the body, its force not negligible against the loads. */
     bool is_closed;
+  };
+
+  /** State of the lips at an instant, over all ranks. */
+  struct LipTotals
+  {
+    unsigned int closed_nodes     = 0;  ///< closed free nodes
+    double       force            = 0.; ///< force ∫ pressure, with held nodes
+    double       largest_pressure = 0.;
+    double       largest_opening  = 0.; ///< largest u_N − gap
   };
 
   /**
@@ -78,11 +80,16 @@ namespace Crevasse
     /**
      * Finds the contact nodes. Collective.
      *
-     * @param space Must outlive this object.
+     * @param basis Must outlive this object.
+     * @param dof_handler Must outlive this object.
+     * @param owned_unknowns Unknowns of displacements that this rank owns.
      * @param gap_formula Least u_N, at most 0 (an initial opening is negative).
      * @throw SceneError with the point if the gap is positive somewhere.
      */
-    ContactBoundary(const Space<dim> &space, Expression &&gap_formula);
+    ContactBoundary(const LipBasis<dim>           &basis,
+                    const dealii::DoFHandler<dim> &dof_handler,
+                    const dealii::IndexSet        &owned_unknowns,
+                    Expression                   &&gap_formula);
 
     /** Contact nodes of this rank, in the order of their unknowns. */
     std::vector<LipNode<dim>> nodes;
@@ -91,9 +98,23 @@ namespace Crevasse
     double negligible_force = 0.;
 
     /** States of the contact nodes of this rank. Collective. */
-    std::vector<LipNodeState>
+    std::vector<PairState>
     states(const Vector              &displacement,
            const std::vector<double> &contact_forces) const;
+
+    /** State of the lips. Collective. */
+    LipTotals
+    totals(const Vector              &displacement,
+           const std::vector<double> &contact_forces) const;
+
+    /** Force ∫ pressure over the nodes of this rank, with held nodes. */
+    double
+    force(const std::vector<double> &contact_forces) const;
+
+    /** Rate β_N of each node of this rank that a flow opens for good; 0 for
+     * other nodes. Collective. */
+    std::vector<double>
+    opening_rates(const Vector &velocity) const;
 
     /** Least u_N at a point of the lip. @throw SceneError if it is not finite
      * or positive. */
@@ -108,24 +129,30 @@ namespace Crevasse
     Vector
     pressure(const std::vector<double> &contact_forces) const;
 
+    /** Nodal opening u_N − gap, or the smaller one where two lips meet: values
+     * at dofs as of pressure(). Collective.
+     * @param nodal_values Space::nodal_values() of the displacement. */
+    Vector
+    opening(const Vector &nodal_values) const;
+
     /** Transpose of pressure(): factors of the contact forces in a sum of
      * pressures with these weights. Collective.
-     * @param weights Vector with the layout of Space::ghosted_vector(), not
-     * compressed. */
+     * @param weights Values at dofs, with ghost values, not compressed. */
     std::vector<double>
     of_contact_forces(Vector &weights) const;
 
   private:
-    /** A degree of freedom that holds a pressure, and the unknowns of the nodes
-     * that determine it. */
+    /** A degree of freedom that holds a pressure, and the numbers and factors
+     * of the nodes that determine it. */
     struct Place
     {
-      dealii::types::global_dof_index dof;
-      typename LipBasis<dim>::Weights masters;
+      dealii::types::global_dof_index              dof;
+      std::vector<std::pair<unsigned int, double>> masters;
     };
 
-    const Space<dim>  &space;
-    const Expression   gap;
+    const LipBasis<dim>           &basis;
+    const dealii::DoFHandler<dim> &dof_handler;
+    const Expression               gap;
     const double       rounding; ///< rounding of coordinates, where gaps end
     std::vector<Place> places;
   };

@@ -4,6 +4,7 @@
 #ifndef crevasse_discretisation_lip_basis_h
 #define crevasse_discretisation_lip_basis_h
 
+#include <crevasse/base/vector.h>
 #include <crevasse/discretisation/lip_faces.h>
 #include <crevasse/discretisation/opening_unknowns.h>
 
@@ -48,6 +49,8 @@ namespace Crevasse
       /** Numbers and factors of the nodes whose pressures a node without weight
        * takes. */
       std::vector<std::pair<unsigned int, double>> masters;
+      /** Number of the lip, a connected set of faces. */
+      unsigned int lip = 0;
 
       bool
       has_unknown() const
@@ -73,12 +76,22 @@ namespace Crevasse
     /**
      * Collective.
      *
+     * @param face_rule Quadrature on faces.
      * @param supports Closed constraints of supports and hanging nodes.
      * @throw SceneError if a face of a crack has no partner, or an opening
      * depends on others.
      */
-    LipBasis(const Space<dim>                        &space,
+    LipBasis(const dealii::DoFHandler<dim>           &dof_handler,
+             const dealii::Mapping<dim>              &mapping,
+             const dealii::Quadrature<dim - 1>       &face_rule,
+             const BoundaryRoles                     &roles,
              const dealii::AffineConstraints<double> &supports);
+
+    /** Displacement jump at each node: of its first side relative to the other
+     * side, or to a rigid plane. Collective.
+     * @param nodal_values Space::nodal_values() */
+    std::vector<dealii::Tensor<1, dim>>
+    jumps(const Vector &nodal_values) const;
 
     std::vector<Node> nodes;
 
@@ -98,7 +111,7 @@ namespace Crevasse
 
     /** Constraints of supports at the nodes, on all ranks. */
     Meanings
-    gather_supports(const Space<dim>                        &space,
+    gather_supports(const dealii::DoFHandler<dim>           &dof_handler,
                     const dealii::AffineConstraints<double> &supports) const;
 
     /** Whether a node is a hanging node; then sets its masters. */
@@ -115,6 +128,9 @@ namespace Crevasse
     /** Chooses masters of nodes without weight. */
     void
     choose_masters(const Surroundings &surroundings);
+
+    void
+    number_lips(const Surroundings &surroundings);
   };
 } // namespace Crevasse
 

@@ -4,8 +4,11 @@
 #ifndef crevasse_discretisation_lip_faces_h
 #define crevasse_discretisation_lip_faces_h
 
-#include <deal.II/base/point.h>
-#include <deal.II/base/types.h>
+#include <crevasse/parameters/boundary_roles.h>
+
+#include <deal.II/base/quadrature.h>
+#include <deal.II/dofs/dof_handler.h>
+#include <deal.II/fe/mapping.h>
 
 #include <array>
 #include <string>
@@ -13,9 +16,6 @@
 
 namespace Crevasse
 {
-  template <int dim>
-  class Space;
-
   /** A face of the lips, with the contributions of its nodes. */
   template <int dim>
   struct LipFace
@@ -68,10 +68,13 @@ namespace Crevasse
   };
 
   /** Active faces of the lips on all ranks, in the order of their ids.
-   * Collective. */
+   * Collective. @param rule Quadrature on faces. */
   template <int dim>
   std::vector<LipFace<dim>>
-  find_lip_faces(const Space<dim> &space);
+  find_lip_faces(const dealii::DoFHandler<dim>     &dof_handler,
+                 const dealii::Mapping<dim>        &mapping,
+                 const dealii::Quadrature<dim - 1> &rule,
+                 const BoundaryRoles               &roles);
 
   /** Pairs of coinciding points: for each point the number of its partner, or
    * its own if there is none.

@@ -7,14 +7,12 @@
 #include <crevasse/discretisation/lip_basis.h>
 #include <crevasse/discretisation/ring_mapping.h>
 #include <crevasse/discretisation/singular_shapes.h>
+#include <crevasse/grid/mesh.h>
 #include <crevasse/parameters/boundary_roles.h>
 #include <crevasse/parameters/selections.h>
 
 #include <deal.II/base/quadrature_lib.h>
-#include <deal.II/distributed/tria.h>
-#include <deal.II/dofs/dof_tools.h>
 #include <deal.II/fe/fe_system.h>
-#include <deal.II/grid/filtered_iterator.h>
 #include <deal.II/hp/q_collection.h>
 #include <deal.II/lac/affine_constraints.h>
 
@@ -25,30 +23,7 @@
 namespace Crevasse
 {
   template <int dim>
-  using Mesh = dealii::parallel::distributed::Triangulation<dim>;
-
-  template <int dim>
   class CellLoops;
-
-  /** Active cells of this rank, of a mesh or a DoFHandler. */
-  template <typename MeshOrDofs>
-  auto
-  owned_cells(const MeshOrDofs &all)
-  {
-    return all.active_cell_iterators() |
-           dealii::IteratorFilters::LocallyOwnedCell();
-  }
-
-  /** Vector of zeros for the dofs, with ghosts for the cells that this rank
-   * sees. */
-  template <int dim>
-  Vector
-  make_vector(const dealii::DoFHandler<dim> &dofs)
-  {
-    return Vector(dofs.locally_owned_dofs(),
-                  dealii::DoFTools::extract_locally_relevant_dofs(dofs),
-                  dofs.get_communicator());
-  }
 
   /**
    * Displacement space: Q1 or Q2 elements on a distributed mesh, with the
@@ -180,6 +155,14 @@ namespace Crevasse
      * ghost values set. */
     Vector
     nodal_values(const Vector &displacement) const;
+
+    /** Largest displacement component at the nodes, where singular functions
+     * vanish. Collective. */
+    double
+    largest_component(const Vector &displacement) const
+    {
+      return nodal_values(displacement).linfty_norm();
+    }
 
     /** Inverse of nodal_values(); constrained entries are 0. Collective. */
     Vector

@@ -7,7 +7,6 @@
 #include <crevasse/base/log.h>
 #include <crevasse/model/body.h>
 #include <crevasse/postprocess/field_grid.h>
-#include <crevasse/postprocess/lip_opening.h>
 #include <crevasse/time/observer.h>
 #include <crevasse/time/step_list.h>
 

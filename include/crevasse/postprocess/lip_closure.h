@@ -87,10 +87,6 @@ namespace Crevasse
       std::vector<double> openings;
     };
 
-    /** Number of the lip of each node of LipBasis. */
-    std::vector<unsigned int>
-    numbers_of_lips() const;
-
     /** Computes Moment::openings, of the periodic state if a flow is split off.
      * Collective. */
     std::vector<double>
@@ -115,15 +111,14 @@ namespace Crevasse
     double
     closed_time(const unsigned int node, const unsigned int i) const;
 
-    const Body<dim>                &body;
-    const std::string               file_name;
-    Evolution<dim>                 &evolution;
-    const std::vector<unsigned int> lips;   ///< lip of each node of LipBasis
-    std::vector<unsigned int>       places; ///< index in LipBasis of each node
-                                            ///< with unknowns
+    const Body<dim>          &body;
+    const std::string         file_name;
+    Evolution<dim>           &evolution;
+    std::vector<unsigned int> places; ///< index in LipBasis of each node
+                                      ///< with unknowns
     unsigned int n_lips = 0;
 
-    /** opening_rates() of the flow that is split off, once it is known. */
+    /** Rates of opening of the flow that is split off, once it is known. */
     std::optional<std::vector<double>> rates;
 
     std::vector<Moment> period; ///< moments of last period

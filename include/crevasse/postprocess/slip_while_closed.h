@@ -8,7 +8,6 @@
 #include <crevasse/base/log.h>
 #include <crevasse/base/text.h>
 #include <crevasse/model/body.h>
-#include <crevasse/postprocess/lip_opening.h>
 #include <crevasse/time/observer.h>
 
 
@@ -105,7 +104,7 @@ namespace Crevasse
             space.lip.nodes[i].sides[1] != dealii::numbers::invalid_dof_index)
           all[i * (dim + 1) + dim] = states[k].is_closed ? 1. : 0.;
       dealii::Utilities::MPI::sum(all, space.communicator(), all);
-      const auto jumps = lip_jumps(space, space.nodal_values(u));
+      const auto jumps = space.lip.jumps(space.nodal_values(u));
       for (unsigned int i = 0; i < jumps.size(); ++i)
         std::copy(jumps[i].begin_raw(),
                   jumps[i].end_raw(),

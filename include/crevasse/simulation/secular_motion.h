@@ -6,7 +6,6 @@
 
 #include <crevasse/base/format.h>
 #include <crevasse/base/state_archive.h>
-#include <crevasse/postprocess/lip_state.h>
 #include <crevasse/simulation/workspace.h>
 
 namespace Crevasse
@@ -41,7 +40,7 @@ namespace Crevasse
       if (!follows_lip)
         return;
       const auto rates =
-        opening_rates(setup.body.lip, work.start.flow->velocity);
+        setup.body.lip.opening_rates(work.start.flow->velocity);
       for (unsigned int k = 0; k < rates.size(); ++k)
         if (rates[k] > 0.)
           opening_nodes.push_back({k, rates[k]});
@@ -96,7 +95,7 @@ namespace Crevasse
                                 {"why", work.start.split.effect.why}};
       if (effects.viscosity.on)
         {
-          const double largest  = largest_displacement(setup.body.space, gain);
+          const double largest  = setup.body.space.largest_component(gain);
           const double per_time = // nan: unknown
             is_noise(largest) ? NAN : 1. / work.steps.period();
           drift["largest_rate"] = largest * per_time;
@@ -108,7 +107,7 @@ namespace Crevasse
               // Largest closing of a node of the lip; β closes none.
               double closing = 0.;
               for (const LipNode<dim> &node : setup.body.lip.nodes)
-                closing = std::max(closing, -node.sign * gain(node.dof));
+                closing = std::max(closing, -node.normal_part(gain));
               closing = dealii::Utilities::MPI::max(closing, communicator);
               drift["largest_closing_rate"] =
                 is_noise(closing) ? NAN : closing / work.steps.period();
@@ -167,7 +166,7 @@ namespace Crevasse
       for (OpeningNode &opening : opening_nodes)
         {
           const LipNode<dim> &node = nodes[opening.index];
-          const double q = node.sign * sample.state.displacement(node.dof) -
+          const double        q = node.normal_part(sample.state.displacement) -
                            (is_whole ? sample.time * opening.rate : 0.);
           if (sample.step == 0)
             {
@@ -183,7 +182,7 @@ namespace Crevasse
           if (is_whole && forces[opening.index] > pressing)
             last_pressed = sample.time;
         }
-      const double force = contact_force(setup.body.lip, forces);
+      const double force = setup.body.lip.force(forces);
       impulse =
         sample.step == 0 ? 0. : impulse + half_step * (force + last_force);
       last_force   = force;
@@ -207,13 +206,12 @@ namespace Crevasse
       Vector                     beta   = work.start.flow->velocity;
       // The flow is solved for separately: rounding of the mean load limits it.
       constexpr double rounding = 1e-12;
-      if (largest_displacement(setup.body.space, beta) * work.steps.period() <=
+      if (setup.body.space.largest_component(beta) * work.steps.period() <=
           rounding * work.state.largest_displacement)
         beta = 0.;
-      secular["largest_rate"] = largest_displacement(setup.body.space, beta);
+      secular["largest_rate"] = setup.body.space.largest_component(beta);
       secular["contact_force"] =
-        dealii::Utilities::MPI::sum(contact_force(setup.body.lip, forces),
-                                    communicator);
+        dealii::Utilities::MPI::sum(setup.body.lip.force(forces), communicator);
       for (const auto &probe : setup.probes)
         {
           auto        &entry    = secular["per_probe"][probe.name()];

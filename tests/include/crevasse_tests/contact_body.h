@@ -31,12 +31,15 @@ public:
     : space(std::move(mesh), degree, roles, fixed_points, volumetric_strain)
     , points(space)
     , strain_operator(space, points)
-    , lip(space, Crevasse::Expression("0"))
+    , lip(space.lip,
+          space.dof_handler,
+          space.locally_owned_unknowns,
+          Crevasse::Expression("0"))
     , usual_traction(traction)
   {
     for (const auto &node : lip.nodes)
       {
-        bounds.dofs.push_back(node.dof);
+        bounds.dofs.push_back(node.unknown);
         bounds.sign.push_back(node.sign);
         bounds.gap.push_back(0.);
       }

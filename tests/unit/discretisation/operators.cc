@@ -225,7 +225,10 @@ namespace
                            {top});
     const QuadratureField<dim> points(space);
     const StressRecovery<dim>  recovery(space, points);
-    const ContactBoundary<dim> lip(space, Expression("0"));
+    const ContactBoundary<dim> lip(space.lip,
+                                   space.dof_handler,
+                                   space.locally_owned_unknowns,
+                                   Expression("0"));
     const ProbeEvaluator<dim>  probe({"P", inside}, space, recovery, lip);
     const ProbeEvaluator<dim>  corner({"C", at_corner}, space, recovery, lip);
 

@@ -16,7 +16,6 @@
 #include <crevasse/model/body.h>
 #include <crevasse/parameters/built_in_boundary.h>
 #include <crevasse/postprocess/field_writer.h>
-#include <crevasse/postprocess/lip_state.h>
 #include <crevasse/postprocess/probe.h>
 
 #include <deal.II/dofs/dof_tools.h>
@@ -82,14 +81,17 @@ namespace
       built_in_fixed_points<dim>(geometry, built_in_roles(geometry)));
     const QuadratureField<dim> points(space);
     const StressRecovery<dim>  recovery(space, points);
-    const ContactBoundary<dim> lip(space, Expression("-1-x"));
+    const ContactBoundary<dim> lip(space.lip,
+                                   space.dof_handler,
+                                   space.locally_owned_unknowns,
+                                   Expression("-1-x"));
 
     State state;
     state.displacement = space.ghosted_vector();
     set_displacement(space, state.displacement);
     for (const LipNode<dim> &node : lip.nodes)
       state.contact_forces.push_back(10. * node.weight);
-    const LipState    now  = lip_state(lip, state);
+    const LipTotals now = lip.totals(state.displacement, state.contact_forces);
     const std::string name = "Q" + std::to_string(degree);
     std::cout << name << ": force " << now.force << ", largest pressure "
               << now.largest_pressure << std::endl;
@@ -141,7 +143,10 @@ namespace
     const QuadratureField<dim> points(space);
     const StrainOperator<dim>  strain_operator(space, points);
     const StressRecovery<dim>  recovery(space, points);
-    const ContactBoundary<dim> lip(space, Expression("0"));
+    const ContactBoundary<dim> lip(space.lip,
+                                   space.dof_handler,
+                                   space.locally_owned_unknowns,
+                                   Expression("0"));
     SparseMatrix               matrix;
     assemble_stiffness(space,
                        points,
@@ -171,7 +176,7 @@ namespace
     check(name + ": positive weights",
           dealii::Utilities::MPI::min(least_weight, MPI_COMM_WORLD) > 0.);
     check_below(name + ": force - load, relative",
-                std::abs(lip_state(lip, state).force / 10. - 1.),
+                std::abs(lip.totals(q, state.contact_forces).force / 10. - 1.),
                 1e-10);
 
     const Vector pressure   = lip.pressure(state.contact_forces);
@@ -243,7 +248,10 @@ namespace
     try
       {
         // Positive at the mouth only.
-        const ContactBoundary<dim> lip(space, Expression("x-0.9"));
+        const ContactBoundary<dim> lip(space.lip,
+                                       space.dof_handler,
+                                       space.locally_owned_unknowns,
+                                       Expression("x-0.9"));
         check("a positive gap is refused", false);
       }
     catch (const SceneError &error)
