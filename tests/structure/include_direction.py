@@ -6,9 +6,9 @@ import re
 import sys
 
 ORDER = ["base", "kernels", "temperature", "parameters", "material", "grid",
-         "discretisation", "linear", "contact", "time", "model", "checkpoint",
-         "harmonic_balance", "periodic", "crack_tip", "postprocess",
-         "simulation", "app"]
+         "lip", "discretisation", "linear", "contact", "time", "model",
+         "checkpoint", "harmonic_balance", "periodic", "crack_tip",
+         "postprocess", "simulation", "app"]
 INCLUDE = re.compile(r'#\s*include\s*[<"]crevasse/([^/>"]+)/')
 
 

@@ -5,7 +5,7 @@
 #define crevasse_crack_tip_williams_fit_h
 
 #include <crevasse/crack_tip/tip_region.h>
-#include <crevasse/discretisation/contact_boundary.h>
+#include <crevasse/lip/contact_boundary.h>
 
 namespace Crevasse
 {

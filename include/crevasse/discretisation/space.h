@@ -4,10 +4,10 @@
 #ifndef crevasse_discretisation_space_h
 #define crevasse_discretisation_space_h
 
-#include <crevasse/discretisation/lip_basis.h>
 #include <crevasse/discretisation/ring_mapping.h>
 #include <crevasse/discretisation/singular_shapes.h>
 #include <crevasse/grid/mesh.h>
+#include <crevasse/lip/lip_basis.h>
 #include <crevasse/parameters/boundary_roles.h>
 #include <crevasse/parameters/selections.h>
 

@@ -5,7 +5,7 @@
 #define crevasse_discretisation_stress_residual_h
 
 #include <crevasse/discretisation/cell_polynomials.h>
-#include <crevasse/discretisation/contact_boundary.h>
+#include <crevasse/lip/contact_boundary.h>
 #include <crevasse/material/voigt.h>
 #include <crevasse/parameters/parameters.h>
 

@@ -5,11 +5,11 @@
 #define crevasse_model_body_h
 
 #include <crevasse/contact/signorini_problem.h>
-#include <crevasse/discretisation/contact_boundary.h>
 #include <crevasse/discretisation/external_loads.h>
 #include <crevasse/discretisation/material_field.h>
 #include <crevasse/discretisation/rigid_motions.h>
 #include <crevasse/discretisation/strain_operator.h>
+#include <crevasse/lip/contact_boundary.h>
 #include <crevasse/parameters/effects.h>
 
 namespace Crevasse

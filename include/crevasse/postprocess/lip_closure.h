@@ -4,7 +4,7 @@
 #ifndef crevasse_postprocess_lip_closure_h
 #define crevasse_postprocess_lip_closure_h
 
-#include <crevasse/crack_tip/crack_closure.h>
+#include <crevasse/lip/lip_status.h>
 #include <crevasse/model/body.h>
 #include <crevasse/time/evolution.h>
 #include <crevasse/time/observer.h>

@@ -4,8 +4,8 @@
 #ifndef crevasse_postprocess_probe_h
 #define crevasse_postprocess_probe_h
 
-#include <crevasse/discretisation/contact_boundary.h>
 #include <crevasse/discretisation/stress_recovery.h>
+#include <crevasse/lip/contact_boundary.h>
 #include <crevasse/parameters/probe_list.h>
 #include <crevasse/time/observer.h>
 

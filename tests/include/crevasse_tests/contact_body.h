@@ -5,10 +5,10 @@
 #define crevasse_tests_contact_body_h
 
 #include <crevasse/contact/signorini_problem.h>
-#include <crevasse/discretisation/contact_boundary.h>
 #include <crevasse/discretisation/external_loads.h>
 #include <crevasse/discretisation/quadrature_field.h>
 #include <crevasse/discretisation/strain_operator.h>
+#include <crevasse/lip/contact_boundary.h>
 
 #include <memory>
 #include <string>

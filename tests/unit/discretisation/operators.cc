@@ -4,13 +4,13 @@
 // D and its transpose, the assembled stiffness and the recovery of stresses are
 // consistent with each other, on distorted cells with hanging nodes.
 
-#include <crevasse/discretisation/contact_boundary.h>
 #include <crevasse/discretisation/stiffness.h>
 #include <crevasse/discretisation/strain_operator.h>
 #include <crevasse/linear/level_transfer.h>
 #include <crevasse/linear/matrix_operator.h>
 #include <crevasse/linear/point_moduli.h>
 #include <crevasse/linear/stiffness_product.h>
+#include <crevasse/lip/contact_boundary.h>
 #include <crevasse/material/voigt_matrix.h>
 #include <crevasse/postprocess/probe.h>
 

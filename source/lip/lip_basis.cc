@@ -3,7 +3,7 @@
 
 #include <crevasse/base/problems.h>
 #include <crevasse/base/text.h>
-#include <crevasse/discretisation/lip_basis.h>
+#include <crevasse/lip/lip_basis.h>
 
 #include <algorithm>
 #include <boost/graph/adjacency_list.hpp>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Crevasse authors
 
-#include <crevasse/discretisation/opening_unknowns.h>
+#include <crevasse/lip/opening_unknowns.h>
 
 #include <algorithm>
 #include <cmath>

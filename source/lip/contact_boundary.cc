@@ -3,8 +3,8 @@
 
 #include <crevasse/base/problems.h>
 #include <crevasse/base/text.h>
-#include <crevasse/discretisation/contact_boundary.h>
 #include <crevasse/grid/mesh.h>
+#include <crevasse/lip/contact_boundary.h>
 
 #include <deal.II/base/bounding_box.h>
 #include <deal.II/grid/grid_tools.h>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Crevasse authors
 
-#ifndef crevasse_crack_tip_crack_closure_h
-#define crevasse_crack_tip_crack_closure_h
+#ifndef crevasse_lip_lip_status_h
+#define crevasse_lip_lip_status_h
 
 #include <array>
 #include <string>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Crevasse authors
 
-#include <crevasse/crack_tip/crack_closure.h>
+#include <crevasse/lip/lip_status.h>
 
 #include <algorithm>
 

@@ -3,8 +3,8 @@
 
 #include <crevasse/base/of_all_ranks.h>
 #include <crevasse/base/text.h>
-#include <crevasse/discretisation/lip_faces.h>
 #include <crevasse/grid/mesh.h>
+#include <crevasse/lip/lip_faces.h>
 
 #include <deal.II/fe/fe_values.h>
 #include <deal.II/numerics/rtree.h>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Crevasse authors
 
-#ifndef crevasse_discretisation_lip_faces_h
-#define crevasse_discretisation_lip_faces_h
+#ifndef crevasse_lip_lip_faces_h
+#define crevasse_lip_lip_faces_h
 
 #include <crevasse/parameters/boundary_roles.h>
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Crevasse authors
 
-#ifndef crevasse_discretisation_contact_boundary_h
-#define crevasse_discretisation_contact_boundary_h
+#ifndef crevasse_lip_contact_boundary_h
+#define crevasse_lip_contact_boundary_h
 
 #include <crevasse/base/expression.h>
-#include <crevasse/discretisation/lip_basis.h>
+#include <crevasse/lip/lip_basis.h>
 
 #include <deal.II/base/index_set.h>
 

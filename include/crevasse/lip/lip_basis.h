@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Crevasse authors
 
-#ifndef crevasse_discretisation_lip_basis_h
-#define crevasse_discretisation_lip_basis_h
+#ifndef crevasse_lip_lip_basis_h
+#define crevasse_lip_lip_basis_h
 
 #include <crevasse/base/vector.h>
-#include <crevasse/discretisation/lip_faces.h>
-#include <crevasse/discretisation/opening_unknowns.h>
+#include <crevasse/lip/lip_faces.h>
+#include <crevasse/lip/opening_unknowns.h>
 
 #include <deal.II/lac/affine_constraints.h>
 
