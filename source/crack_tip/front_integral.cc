@@ -288,7 +288,7 @@ namespace Crevasse
           sum -= kernel.of_force[d] * force.value(kernel.location, t);
       }
     for (const auto &[vertex, node, factor] : of_contact_forces)
-      K[vertex] += factor * sample.state.contact_forces[node];
+      K[vertex] += factor * sample.state.contact_forces.normal[node];
     Utilities::MPI::sum(K, body.space.communicator(), K);
     for (std::size_t v = 0; v < K.size(); ++v)
       K[v] /= vertices[v].integral();

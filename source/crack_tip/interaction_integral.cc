@@ -230,10 +230,9 @@ namespace Crevasse
 
 
   double
-  InteractionIntegral::of_uniform_body(
-    const Vector              &stress,
-    const std::vector<double> &contact_forces,
-    const double               kappa) const
+  InteractionIntegral::of_uniform_body(const Vector        &stress,
+                                       const ContactForces &contact_forces,
+                                       const double         kappa) const
   {
     Assert(kappa_of_ring == 0. || std::abs(kappa - kappa_of_ring) <= 1e-8,
            ExcInternalError());
@@ -247,7 +246,7 @@ namespace Crevasse
       }
     sum *= 4. / (kappa + 1.);
     for (std::size_t i = 0; i < of_contact_forces.size(); ++i)
-      sum += of_contact_forces[i] * contact_forces[i];
+      sum += of_contact_forces[i] * contact_forces.normal[i];
     return Utilities::MPI::sum(sum, body.space.communicator());
   }
 

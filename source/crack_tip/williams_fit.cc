@@ -226,15 +226,15 @@ namespace Crevasse
 
 
   double
-  WilliamsFit::apply(const Disc                &disc,
-                     const Vector              &stress,
-                     const std::vector<double> &contact_forces) const
+  WilliamsFit::apply(const Disc          &disc,
+                     const Vector        &stress,
+                     const ContactForces &contact_forces) const
   {
     double sum = 0.;
     for (const auto &[offset, row] : disc.of_stress)
       sum += row * QuadratureField<2>::get(stress, offset);
     for (std::size_t k = 0; k < disc.of_contact_forces.size(); ++k)
-      sum += disc.of_contact_forces[k] * contact_forces[k];
+      sum += disc.of_contact_forces[k] * contact_forces.normal[k];
     return Utilities::MPI::sum(sum, communicator);
   }
 

@@ -30,11 +30,11 @@ namespace Crevasse
 
   template <int dim>
   void
-  StressEstimator<dim>::look_at(const double               t,
-                                const Vector              &stress,
-                                const std::vector<double> &contact_forces,
-                                const MaterialState<dim>  &material,
-                                const Vector              *elastic_displacement)
+  StressEstimator<dim>::look_at(const double              t,
+                                const Vector             &stress,
+                                const ContactForces      &contact_forces,
+                                const MaterialState<dim> &material,
+                                const Vector             *elastic_displacement)
   {
     // Factors of faces and cells of size h in the squared energy norm of the
     // error, from comparison with known errors.

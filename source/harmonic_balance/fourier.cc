@@ -27,11 +27,11 @@ namespace Crevasse
       if (flow == nullptr)
         return loaded;
       double largest = size;
-      for (const double force : flow->contact_forces)
+      for (const double force : flow->contact_forces.normal)
         largest = std::max(largest, force);
       largest = Utilities::MPI::max(largest, communicator);
       for (unsigned int k = 0; k < loaded.size(); ++k)
-        loaded[k] = flow->contact_forces[k] > smallest_force * largest;
+        loaded[k] = flow->contact_forces.normal[k] > smallest_force * largest;
       return loaded;
     }
 
@@ -131,7 +131,7 @@ namespace Crevasse
     dealii::Vector<double> offsets(part.n_nodes());
     if (part.n_nodes() > 0)
       {
-        problem.mean_forces = part.gather(flow->contact_forces);
+        problem.mean_forces = part.gather(flow->contact_forces.normal);
         const PeriodicContactSolution contact = solve_contact(problem);
         motion.instants_of_contact            = count_instants(contact);
         add_contact(contact, responses, part, motion);

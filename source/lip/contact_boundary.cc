@@ -82,8 +82,8 @@ namespace Crevasse
 
   template <int dim>
   std::vector<PairState>
-  ContactBoundary<dim>::states(const Vector              &displacement,
-                               const std::vector<double> &contact_forces) const
+  ContactBoundary<dim>::states(const Vector        &displacement,
+                               const ContactForces &contact_forces) const
   {
     const double           touching = 1e-10 * displacement.linfty_norm();
     std::vector<double>    pressures(basis.nodes.size()); // negative if open
@@ -91,7 +91,7 @@ namespace Crevasse
     for (unsigned int k = 0; k < nodes.size(); ++k)
       {
         const LipNode<dim> &node  = nodes[k];
-        const double        force = contact_forces[k],
+        const double        force = contact_forces.normal[k],
                      opening      = node.normal_part(displacement) - node.gap;
         const bool is_pressed = force > negligible_force && opening <= touching;
         all.push_back({opening, 0., is_pressed});
@@ -117,8 +117,8 @@ namespace Crevasse
 
   template <int dim>
   LipTotals
-  ContactBoundary<dim>::totals(const Vector              &displacement,
-                               const std::vector<double> &contact_forces) const
+  ContactBoundary<dim>::totals(const Vector        &displacement,
+                               const ContactForces &contact_forces) const
   {
     const MPI_Comm      communicator = dof_handler.get_communicator();
     std::vector<double> sums         = {0., force(contact_forces)}, maxima(2);
@@ -137,11 +137,11 @@ namespace Crevasse
 
   template <int dim>
   double
-  ContactBoundary<dim>::force(const std::vector<double> &contact_forces) const
+  ContactBoundary<dim>::force(const ContactForces &contact_forces) const
   {
     double sum = 0.;
     for (unsigned int k = 0; k < nodes.size(); ++k)
-      sum += nodes[k].force(contact_forces[k]);
+      sum += nodes[k].force(contact_forces.normal[k]);
     return sum;
   }
 
@@ -165,13 +165,12 @@ namespace Crevasse
 
   template <int dim>
   Vector
-  ContactBoundary<dim>::pressure(
-    const std::vector<double> &contact_forces) const
+  ContactBoundary<dim>::pressure(const ContactForces &contact_forces) const
   {
     std::vector<double> at_nodes(basis.nodes.size());
     for (unsigned int k = 0; k < nodes.size(); ++k)
       if (nodes[k].weight > 0.)
-        at_nodes[nodes[k].number] = contact_forces[k] / nodes[k].weight;
+        at_nodes[nodes[k].number] = contact_forces.normal[k] / nodes[k].weight;
     Utilities::MPI::sum(at_nodes, dof_handler.get_communicator(), at_nodes);
     Vector values = make_vector(dof_handler);
     for (const Place &place : places)

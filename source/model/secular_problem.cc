@@ -341,12 +341,12 @@ namespace Crevasse
 
     SecularFlow flow;
     body.strain_operator.initialize(flow.velocity);
-    contact_solver->solve(load, flow.velocity, flow.contact_forces);
+    contact_solver->solve(load, flow.velocity, flow.contact_forces.normal);
     flow.velocity /= time;
     viscosity.set_strain_rates(body, material, flow);
     flow.velocity /= factor;
     flow.strain_rate /= factor;
-    for (double &force : flow.contact_forces)
+    for (double &force : flow.contact_forces.normal)
       force *= material.viscosity_factor / factor;
     if (own != nullptr)
       systems.add(own->statistics());

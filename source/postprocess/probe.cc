@@ -326,12 +326,11 @@ namespace Crevasse
 
   template <int dim>
   double
-  ProbeEvaluator<dim>::local_pressure(
-    const std::vector<double> &contact_forces) const
+  ProbeEvaluator<dim>::local_pressure(const ContactForces &contact_forces) const
   {
     double pressure = 0.;
     for (const auto &[k, weight] : pressure_weights)
-      pressure += weight * contact_forces[k];
+      pressure += weight * contact_forces.normal[k];
     return pressure;
   }
 

@@ -185,7 +185,7 @@ namespace Crevasse
         before                       = state.displacement;
         solver.solve(right_hand_side,
                      state.displacement,
-                     state.contact_forces,
+                     state.contact_forces.normal,
                      state.stiffness_factor);
         evaluate(stage, next);
         acceleration->add(right_hand_side, next);

@@ -31,7 +31,10 @@ namespace Crevasse
   void
   Evolution<dim>::solve(ContactSolver &contact_solver, const double k)
   {
-    contact_solver.solve(loading, last.displacement, last.contact_forces, k);
+    contact_solver.solve(loading,
+                         last.displacement,
+                         last.contact_forces.normal,
+                         k);
     last.stiffness_factor = k;
     last_solver           = &contact_solver;
   }

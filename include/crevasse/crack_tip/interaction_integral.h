@@ -91,9 +91,9 @@ namespace Crevasse
      * body force in the square: elastic, or viscous with the stress of a flow.
      * Collective. */
     double
-    of_uniform_body(const Vector              &stress,
-                    const std::vector<double> &contact_forces,
-                    const double               kappa) const;
+    of_uniform_body(const Vector        &stress,
+                    const ContactForces &contact_forces,
+                    const double         kappa) const;
 
   private:
     /** Factors at a quadrature point, times its share of the area. */

@@ -39,7 +39,7 @@ namespace Crevasse
 
     /** Computes K_I. Collective. */
     double
-    value(const Vector &stress, const std::vector<double> &contact_forces) const
+    value(const Vector &stress, const ContactForces &contact_forces) const
     {
       return 2. * apply(small, stress, contact_forces) -
              apply(large, stress, contact_forces);
@@ -47,8 +47,7 @@ namespace Crevasse
 
     /** K(R) − K(2R), which the extrapolation adds. Collective. */
     double
-    correction(const Vector              &stress,
-               const std::vector<double> &contact_forces) const
+    correction(const Vector &stress, const ContactForces &contact_forces) const
     {
       return apply(small, stress, contact_forces) -
              apply(large, stress, contact_forces);
@@ -92,9 +91,9 @@ namespace Crevasse
                  Disc                     &disc) const;
 
     double
-    apply(const Disc                &disc,
-          const Vector              &stress,
-          const std::vector<double> &contact_forces) const;
+    apply(const Disc          &disc,
+          const Vector        &stress,
+          const ContactForces &contact_forces) const;
 
     const MPI_Comm communicator;
     const Disc     small, large;

@@ -12,6 +12,7 @@ namespace Crevasse
 {
   template <int dim>
   class ContactBoundary;
+  struct ContactForces;
   template <int dim>
   struct MaterialState;
 
@@ -45,16 +46,15 @@ namespace Crevasse
     /** Estimates the error of a state. Collective.
      *
      * @param t Instant within the period.
-     * @param contact_forces Forces of the lip's nodes on this rank.
      * @param elastic_displacement Displacement of an elastic stress, if nothing
      * creeps: the stress of singular functions then counts exactly, and is not
      * approximated by polynomials. */
     void
-    look_at(const double               t,
-            const Vector              &stress,
-            const std::vector<double> &contact_forces,
-            const MaterialState<dim>  &material,
-            const Vector              *elastic_displacement = nullptr);
+    look_at(const double              t,
+            const Vector             &stress,
+            const ContactForces      &contact_forces,
+            const MaterialState<dim> &material,
+            const Vector             *elastic_displacement = nullptr);
 
     /** Squares of the largest estimates so far, divided by the largest energy,
      * by active cell index. */

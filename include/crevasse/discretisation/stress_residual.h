@@ -24,15 +24,13 @@ namespace Crevasse
   public:
     using Cell = typename dealii::DoFHandler<dim>::active_cell_iterator;
 
-    /** All arguments must outlive this object. Collective.
-     *
-     * @param contact_forces Forces of the lip's nodes on this rank. */
+    /** All arguments must outlive this object. Collective. */
     StressResidual(const Space<dim>           &space,
                    const CellPolynomials<dim> &polynomials,
                    const ContactBoundary<dim> &lip,
                    const LoadParameters       &loads,
                    const double                t,
-                   const std::vector<double>  &contact_forces)
+                   const ContactForces        &contact_forces)
       : stress(polynomials.coefficients())
       , space(space)
       , instant(t)

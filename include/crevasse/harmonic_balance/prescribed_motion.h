@@ -86,8 +86,9 @@ namespace Crevasse
       // An unpressed lip has forces that are rounding of the loads.
       for (const double b : sample.right_hand_side)
         force.size = std::max(force.size, std::abs(b));
-      for (unsigned int k = 0; k < sample.state.contact_forces.size(); ++k)
-        force.add(sample.state.contact_forces[k], motion.contact_forces[j][k]);
+      const std::vector<double> &forces = sample.state.contact_forces.normal;
+      for (unsigned int k = 0; k < forces.size(); ++k)
+        force.add(forces[k], motion.contact_forces[j][k]);
     }
 
     void

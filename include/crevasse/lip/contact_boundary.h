@@ -5,6 +5,7 @@
 #define crevasse_lip_contact_boundary_h
 
 #include <crevasse/base/expression.h>
+#include <crevasse/lip/contact_forces.h>
 #include <crevasse/lip/lip_basis.h>
 
 #include <deal.II/base/index_set.h>
@@ -99,17 +100,17 @@ namespace Crevasse
 
     /** States of the contact nodes of this rank. Collective. */
     std::vector<PairState>
-    states(const Vector              &displacement,
-           const std::vector<double> &contact_forces) const;
+    states(const Vector        &displacement,
+           const ContactForces &contact_forces) const;
 
     /** State of the lips. Collective. */
     LipTotals
-    totals(const Vector              &displacement,
-           const std::vector<double> &contact_forces) const;
+    totals(const Vector        &displacement,
+           const ContactForces &contact_forces) const;
 
     /** Force ∫ pressure over the nodes of this rank, with held nodes. */
     double
-    force(const std::vector<double> &contact_forces) const;
+    force(const ContactForces &contact_forces) const;
 
     /** Rate β_N of each node of this rank that a flow opens for good; 0 for
      * other nodes. Collective. */
@@ -124,10 +125,9 @@ namespace Crevasse
     /** Pressure at all nodes of the lips, on both sides: values at dofs, with
      * ghost values, in the component of each node that is nearest to the lip's
      * normal; zero elsewhere. Lips that share a dof give their mean.
-     * Collective.
-     * @param contact_forces Forces of the nodes of this rank. */
+     * Collective. */
     Vector
-    pressure(const std::vector<double> &contact_forces) const;
+    pressure(const ContactForces &contact_forces) const;
 
     /** Nodal opening u_N − gap, or the smaller one where two lips meet: values
      * at dofs as of pressure(). Collective.

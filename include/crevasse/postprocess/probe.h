@@ -58,7 +58,7 @@ namespace Crevasse
 
     /** Pressure at a point of the lip; 0 at other points. Collective. */
     double
-    pressure(const std::vector<double> &contact_forces) const
+    pressure(const ContactForces &contact_forces) const
     {
       return dealii::Utilities::MPI::sum(local_pressure(contact_forces),
                                          communicator);
@@ -99,7 +99,7 @@ namespace Crevasse
     static dealii::Tensor<1, dim>
     apply(const DisplacementWeights &weights, const Vector &displacement);
     double
-    local_pressure(const std::vector<double> &contact_forces) const;
+    local_pressure(const ContactForces &contact_forces) const;
 
     /** Locates the point on one rank. @param on_other_lip opposite to the lip
      * found before; it may not exist. */

@@ -161,8 +161,8 @@ namespace Crevasse
       const double pressing = rounding * sample.right_hand_side.linfty_norm();
       const bool   is_whole = sample.secular_flow == nullptr;
       const auto  &nodes    = setup.body.lip.nodes;
-      const std::vector<double> &forces = sample.state.contact_forces;
-      const double half_step            = 0.5 * (sample.instant - last_instant);
+      const ContactForces &forces    = sample.state.contact_forces;
+      const double         half_step = 0.5 * (sample.instant - last_instant);
       for (OpeningNode &opening : opening_nodes)
         {
           const LipNode<dim> &node = nodes[opening.index];
@@ -179,7 +179,7 @@ namespace Crevasse
               opening.integral += half_step * (q + opening.last);
             }
           opening.last = q;
-          if (is_whole && forces[opening.index] > pressing)
+          if (is_whole && forces.normal[opening.index] > pressing)
             last_pressed = sample.time;
         }
       const double force = setup.body.lip.force(forces);
@@ -202,8 +202,8 @@ namespace Crevasse
     void
     summarise_flow(Summary &secular) const
     {
-      const std::vector<double> &forces = work.start.flow->contact_forces;
-      Vector                     beta   = work.start.flow->velocity;
+      const ContactForces &forces = work.start.flow->contact_forces;
+      Vector               beta   = work.start.flow->velocity;
       // The flow is solved for separately: rounding of the mean load limits it.
       constexpr double rounding = 1e-12;
       if (setup.body.space.largest_component(beta) * work.steps.period() <=

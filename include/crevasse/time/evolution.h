@@ -118,7 +118,7 @@ namespace Crevasse
     switching_functions(std::vector<double> &values) const override
     {
       last_solver->complementarity_functions(last.displacement,
-                                             last.contact_forces,
+                                             last.contact_forces.normal,
                                              last.stiffness_factor,
                                              values);
     }

@@ -5,8 +5,7 @@
 #define crevasse_time_secular_flow_h
 
 #include <crevasse/base/vector.h>
-
-#include <vector>
+#include <crevasse/lip/contact_forces.h>
 
 namespace Crevasse
 {
@@ -16,9 +15,8 @@ namespace Crevasse
   {
     Vector velocity;    ///< velocity β; zero in constrained entries
     Vector strain_rate; ///< rates αᵢ, in the layout of r
-    /** Contact forces of local lip nodes: η₀(0) times ḡ, the mean of g/η₀ over
-     * a period. */
-    std::vector<double> contact_forces;
+    /** Forces η₀(0) ḡ, with ḡ the mean of g/η₀ over a period. */
+    ContactForces contact_forces;
   };
 } // namespace Crevasse
 

@@ -5,24 +5,24 @@
 #define crevasse_time_state_h
 
 #include <crevasse/base/state_archive.h>
+#include <crevasse/lip/contact_forces.h>
 
 namespace Crevasse
 {
   /** The body at one instant. */
   struct State
   {
-    Vector displacement; ///< q; zero in constrained entries
-    Vector stress;       ///< s at quadrature points
-    /** g of each local bound, the nodes of the lip first. */
-    std::vector<double> contact_forces;
-    double              stiffness_factor = 1.; ///< k(t)
+    Vector        displacement; ///< q; zero in constrained entries
+    Vector        stress;       ///< s at quadrature points
+    ContactForces contact_forces;
+    double        stiffness_factor = 1.; ///< k(t)
 
     void
     serialize(StateArchive &archive)
     {
       archive.nodal(displacement);
       archive.at_points(stress);
-      archive.on_bounds(contact_forces);
+      archive.on_bounds(contact_forces.normal);
       archive.common(stiffness_factor);
     }
   };

@@ -94,9 +94,9 @@ namespace
                                 p * QuadratureField<2>::n_components,
                                 voigt);
       }
-    std::vector<double> forces;
+    ContactForces forces;
     for (const auto &node : body.lip.nodes)
-      forces.push_back(pressure * node.weight);
+      forces.normal.push_back(pressure * node.weight);
     const double          size = region.largest_radius();
     std::array<double, 3> K;
     const PlaneElasticity elasticity(body.law.stiffness.at(

@@ -260,7 +260,7 @@ namespace
         double                   error = 0.;
         State                    state;
         state.stress = field;
-        state.contact_forces.resize(lip.nodes.size());
+        state.contact_forces.normal.resize(lip.nodes.size());
         const auto row = probe_row(*p, space, points, state);
         for (unsigned int c = 0; c < n_stress_components<dim>; ++c)
           error =

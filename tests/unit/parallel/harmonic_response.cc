@@ -115,7 +115,7 @@ namespace
           q_miss = std::max(q_miss, difference.linfty_norm());
           for (unsigned int k = 0; k < body.lip.nodes.size(); ++k)
             {
-              const double g = evolution.state().contact_forces[k];
+              const double g = evolution.state().contact_forces.normal[k];
               g_miss =
                 std::max(g_miss,
                          std::abs(g - result.motion.contact_forces[j][k]));

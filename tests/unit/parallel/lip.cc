@@ -90,7 +90,7 @@ namespace
     state.displacement = space.ghosted_vector();
     set_displacement(space, state.displacement);
     for (const LipNode<dim> &node : lip.nodes)
-      state.contact_forces.push_back(10. * node.weight);
+      state.contact_forces.normal.push_back(10. * node.weight);
     const LipTotals now = lip.totals(state.displacement, state.contact_forces);
     const std::string name = "Q" + std::to_string(degree);
     std::cout << name << ": force " << now.force << ", largest pressure "
@@ -165,7 +165,7 @@ namespace
     Mumps                  mumps(matrix, problem.all_bounded_dofs());
     CondensedActiveSet     solver(problem, mumps, 1e-12);
     State                  state;
-    solver.solve(b, q, state.contact_forces);
+    solver.solve(b, q, state.contact_forces.normal);
     state.displacement = q;
 
     double least_weight = 1.;
