@@ -4,8 +4,8 @@
 #include <crevasse/base/problems.h>
 #include <crevasse/base/text.h>
 #include <crevasse/harmonic_balance/fourier.h>
-#include <crevasse/model/secular.h>
-#include <crevasse/model/secular_problem.h>
+#include <crevasse/secular/secular_problem.h>
+#include <crevasse/secular/viscosity.h>
 
 namespace Crevasse
 {

@@ -5,8 +5,8 @@
 #include <crevasse/base/text.h>
 #include <crevasse/harmonic_balance/fourier_problem.h>
 #include <crevasse/model/largest_load.h>
-#include <crevasse/model/secular_problem.h>
 #include <crevasse/periodic/periodic_choice.h>
+#include <crevasse/secular/secular_problem.h>
 
 namespace Crevasse
 {

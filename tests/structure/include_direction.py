@@ -7,7 +7,7 @@ import sys
 
 ORDER = ["base", "kernels", "temperature", "parameters", "material", "grid",
          "lip", "discretisation", "linear", "contact", "time", "model",
-         "checkpoint", "harmonic_balance", "periodic", "crack_tip",
+         "secular", "checkpoint", "harmonic_balance", "periodic", "crack_tip",
          "postprocess", "simulation", "app"]
 INCLUDE = re.compile(r'#\s*include\s*[<"]crevasse/([^/>"]+)/')
 

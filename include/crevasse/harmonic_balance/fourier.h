@@ -6,7 +6,7 @@
 
 #include <crevasse/harmonic_balance/fourier_problem.h>
 #include <crevasse/harmonic_balance/harmonic_responses.h>
-#include <crevasse/model/secular.h>
+#include <crevasse/secular/viscosity.h>
 
 #include <deal.II/lac/linear_operator.h>
 #include <deal.II/lac/precondition.h>

@@ -7,7 +7,7 @@
 #include <crevasse/base/summary.h>
 #include <crevasse/harmonic_balance/harmonics.h>
 #include <crevasse/model/contact_system_cache.h>
-#include <crevasse/time/secular_flow.h>
+#include <crevasse/time/state.h>
 
 namespace Crevasse
 {

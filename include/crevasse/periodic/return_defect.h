@@ -7,7 +7,7 @@
 #include <crevasse/contact/signorini_problem.h>
 #include <crevasse/discretisation/material_field.h>
 #include <crevasse/periodic/contraction.h>
-#include <crevasse/time/secular_flow.h>
+#include <crevasse/time/state.h>
 
 namespace Crevasse
 {

@@ -6,9 +6,9 @@
 
 #include <crevasse/crack_tip/growth_law.h>
 #include <crevasse/crack_tip/strain_energy.h>
-#include <crevasse/model/secular.h>
-#include <crevasse/model/secular_problem.h>
 #include <crevasse/postprocess/stress_intensity.h>
+#include <crevasse/secular/secular_problem.h>
+#include <crevasse/secular/viscosity.h>
 
 namespace Crevasse
 {

@@ -9,7 +9,6 @@
 #include <crevasse/time/inelastic_strain.h>
 #include <crevasse/time/instant_provider.h>
 #include <crevasse/time/rate_equation.h>
-#include <crevasse/time/secular_flow.h>
 #include <crevasse/time/state.h>
 #include <crevasse/time/step_list.h>
 

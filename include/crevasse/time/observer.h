@@ -5,7 +5,6 @@
 #define crevasse_time_observer_h
 
 #include <crevasse/base/summary.h>
-#include <crevasse/time/secular_flow.h>
 #include <crevasse/time/state.h>
 
 #include <cstddef>

@@ -26,6 +26,16 @@ namespace Crevasse
       archive.common(stiffness_factor);
     }
   };
+
+  /** The steady part of the motion (model, §2):
+   * u = βt + q, ξᵢ = αᵢt + rᵢ. */
+  struct SecularFlow
+  {
+    Vector velocity;    ///< velocity β; zero in constrained entries
+    Vector strain_rate; ///< rates αᵢ, in the layout of r
+    /** Forces η₀(0) ḡ, with ḡ the mean of g/η₀ over a period. */
+    ContactForces contact_forces;
+  };
 } // namespace Crevasse
 
 #endif

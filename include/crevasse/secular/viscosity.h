@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Crevasse authors
 
-#ifndef crevasse_model_secular_h
-#define crevasse_model_secular_h
+#ifndef crevasse_secular_viscosity_h
+#define crevasse_secular_viscosity_h
 
 #include <crevasse/base/collectively.h>
 #include <crevasse/material/voigt_matrix.h>
 #include <crevasse/model/body.h>
-#include <crevasse/time/secular_flow.h>
+#include <crevasse/time/state.h>
 
 namespace Crevasse
 {

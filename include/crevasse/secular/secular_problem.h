@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Crevasse authors
 
-#ifndef crevasse_model_secular_problem_h
-#define crevasse_model_secular_problem_h
+#ifndef crevasse_secular_secular_problem_h
+#define crevasse_secular_secular_problem_h
 
 #include <crevasse/model/contact_system_cache.h>
 #include <crevasse/time/integrator.h>
-#include <crevasse/time/secular_flow.h>
+#include <crevasse/time/state.h>
 
 namespace Crevasse
 {

@@ -2,8 +2,8 @@
 // Copyright (C) 2026 by the Crevasse authors
 
 #include <crevasse/base/problems.h>
-#include <crevasse/model/secular.h>
-#include <crevasse/model/secular_problem.h>
+#include <crevasse/secular/secular_problem.h>
+#include <crevasse/secular/viscosity.h>
 
 #include <sstream>
 
