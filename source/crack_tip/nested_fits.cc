@@ -12,30 +12,26 @@ namespace Crevasse
   double
   open_length(const ContactBoundary<2> &lip,
               const CrackTip           &tip,
-              const State              &state,
-              const MPI_Comm            communicator)
+              const State              &state)
   {
     constexpr double never = std::numeric_limits<double>::max();
     const auto states = lip.states(state.displacement, state.contact_forces);
-    // Distance from the tip to each node of its lip on this rank, and whether
-    // the node is closed.
+    // Distance from the tip to each node of its lip, and whether it is closed.
     std::vector<std::pair<double, bool>> nodes;
-    for (std::size_t k = 0; k < lip.nodes.size(); ++k)
-      {
-        const Point<2> local = tip.local(lip.nodes[k].point);
-        if (local[0] < 0. && tip.is_on_line(local))
-          nodes.emplace_back(-local[0], states[k].is_closed);
-      }
+    for (std::size_t i = 0; i < states.size(); ++i)
+      if (const auto &node = lip.basis.nodes[i]; node.has_unknown())
+        if (const Point<2> local = tip.local(node.point);
+            local[0] < 0. && tip.is_on_line(local))
+          nodes.emplace_back(-local[0], states[i].is_closed);
 
     double closed = never, open = 0.;
     for (const auto &[distance, is_closed] : nodes)
       if (is_closed)
         closed = std::min(closed, distance);
-    closed = Utilities::MPI::min(closed, communicator);
     for (const auto &[distance, is_closed] : nodes)
       if (distance < closed)
         open = std::max(open, distance);
-    return closed == never ? never : Utilities::MPI::max(open, communicator);
+    return closed == never ? never : open;
   }
 
 

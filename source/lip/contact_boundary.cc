@@ -85,30 +85,33 @@ namespace Crevasse
   ContactBoundary<dim>::states(const Vector        &displacement,
                                const ContactForces &contact_forces) const
   {
-    const double           touching = 1e-10 * displacement.linfty_norm();
-    std::vector<double>    pressures(basis.nodes.size()); // negative if open
-    std::vector<PairState> all;
+    const double        touching = 1e-10 * displacement.linfty_norm();
+    std::vector<double> openings(basis.nodes.size()), pressed(openings),
+      pressures(openings); // negative if open
     for (unsigned int k = 0; k < nodes.size(); ++k)
       {
-        const LipNode<dim> &node  = nodes[k];
-        const double        force = contact_forces.normal[k],
-                     opening      = node.normal_part(displacement) - node.gap;
+        const LipNode<dim> &node    = nodes[k];
+        const double        force   = contact_forces.normal[k];
+        double             &opening = openings[node.number];
+        opening                     = node.normal_part(displacement) - node.gap;
         const bool is_pressed = force > negligible_force && opening <= touching;
-        all.push_back({opening, 0., is_pressed});
+        pressed[node.number]  = is_pressed ? 1. : 0.;
         if (node.weight > 0.)
           pressures[node.number] =
             (is_pressed ? force : -std::abs(force)) / node.weight;
       }
-    Utilities::MPI::sum(pressures, dof_handler.get_communicator(), pressures);
-    for (unsigned int k = 0; k < nodes.size(); ++k)
-      if (const LipNode<dim> &node = nodes[k];
-          node.weight > 0. || !node.masters.empty())
+    for (std::vector<double> *values : {&openings, &pressed, &pressures})
+      Utilities::MPI::sum(*values, dof_handler.get_communicator(), *values);
+    std::vector<PairState> all(basis.nodes.size());
+    for (unsigned int i = 0; i < all.size(); ++i)
+      if (const auto &node = basis.nodes[i]; node.has_unknown())
         {
-          const double value =
-            pressures[node.weight > 0. ? node.number
-                                       : node.masters.front().first];
-          all[k].pressure  = std::abs(value);
-          all[k].is_closed = all[k].is_closed || value > 0.;
+          const bool   has_own = node.weight > 0. || node.masters.empty();
+          const double pressure =
+            pressures[has_own ? i : node.masters.front().first];
+          all[i] = {openings[i],
+                    std::abs(pressure),
+                    pressed[i] > 0. || pressure > 0.};
         }
     return all;
   }
@@ -120,17 +123,17 @@ namespace Crevasse
   ContactBoundary<dim>::totals(const Vector        &displacement,
                                const ContactForces &contact_forces) const
   {
-    const MPI_Comm      communicator = dof_handler.get_communicator();
-    std::vector<double> sums         = {0., force(contact_forces)}, maxima(2);
+    LipTotals totals;
+    totals.force = Utilities::MPI::sum(force(contact_forces),
+                                       dof_handler.get_communicator());
     for (const PairState &pair : states(displacement, contact_forces))
       {
-        sums[0] += pair.is_closed ? 1. : 0.;
-        maxima[0] = std::max(maxima[0], pair.pressure);
-        maxima[1] = std::max(maxima[1], pair.opening);
+        totals.closed_nodes += pair.is_closed ? 1 : 0;
+        totals.largest_pressure =
+          std::max(totals.largest_pressure, pair.pressure);
+        totals.largest_opening = std::max(totals.largest_opening, pair.opening);
       }
-    Utilities::MPI::sum(sums, communicator, sums);
-    Utilities::MPI::max(maxima, communicator, maxima);
-    return {static_cast<unsigned int>(sums[0]), sums[1], maxima[0], maxima[1]};
+    return totals;
   }
 
 
@@ -152,12 +155,11 @@ namespace Crevasse
   ContactBoundary<dim>::opening_rates(const Vector &velocity) const
   {
     const double opens = 1e-10 * velocity.linfty_norm(); // beyond rounding
-    std::vector<double> rates;
+    std::vector<double> rates(basis.nodes.size());
     for (const LipNode<dim> &node : nodes)
-      {
-        const double rate = node.normal_part(velocity);
-        rates.push_back(rate > opens ? rate : 0.);
-      }
+      if (const double rate = node.normal_part(velocity); rate > opens)
+        rates[node.number] = rate;
+    Utilities::MPI::sum(rates, dof_handler.get_communicator(), rates);
     return rates;
   }
 

@@ -220,15 +220,13 @@ namespace Crevasse
                               std::numeric_limits<double>::max());
     const auto          states =
       body.lip.states(state.displacement, state.contact_forces);
-    for (std::size_t k = 0; k < states.size(); ++k)
-      {
-        const Point<3>   &point = body.lip.nodes[k].point;
-        const std::size_t first = states[k].is_closed ? 0 : closed.size();
+    for (std::size_t i = 0; i < states.size(); ++i)
+      if (const auto &node = body.space.lip.nodes[i]; node.has_unknown())
         for (std::size_t v = 0; v < closed.size(); ++v)
-          least[first + v] =
-            std::min(least[first + v], point.distance(vertices[v].point));
-      }
-    Utilities::MPI::min(least, body.space.communicator(), least);
+          {
+            double &near = least[v + (states[i].is_closed ? 0 : closed.size())];
+            near = std::min(near, node.point.distance(vertices[v].point));
+          }
     for (std::size_t v = 0; v < closed.size(); ++v)
       closed[v] = least[v] < (1. - rounding) * least[closed.size() + v];
     return closed;

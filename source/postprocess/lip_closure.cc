@@ -48,20 +48,14 @@ namespace Crevasse
       rates = sample.secular_flow == nullptr
                 ? std::vector<double>(here.size())
                 : body.lip.opening_rates(sample.secular_flow->velocity);
-    std::vector<double> values(places.size());
-    for (unsigned int k = 0; k < here.size(); ++k)
-      {
-        const auto place = std::lower_bound(places.begin(),
-                                            places.end(),
-                                            body.lip.nodes[k].number);
-        // Nodes that the flow opens for good only have residual forces. A node
-        // without weight may be the only pressed node.
-        constexpr double least         = std::numeric_limits<double>::min();
-        values[place - places.begin()] = here[k].is_closed && (*rates)[k] == 0.
-                                           ? -std::max(here[k].pressure, least)
-                                           : std::max(0., here[k].opening);
-      }
-    Utilities::MPI::sum(values, body.space.communicator(), values);
+    // Nodes that the flow opens for good only have residual forces. A node
+    // without weight may be the only pressed node.
+    constexpr double    least = std::numeric_limits<double>::min();
+    std::vector<double> values;
+    for (const unsigned int i : places)
+      values.push_back(here[i].is_closed && (*rates)[i] == 0.
+                         ? -std::max(here[i].pressure, least)
+                         : std::max(0., here[i].opening));
     return values;
   }
 

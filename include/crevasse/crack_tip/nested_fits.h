@@ -14,8 +14,7 @@ namespace Crevasse
   double
   open_length(const ContactBoundary<2> &lip,
               const CrackTip           &tip,
-              const State              &state,
-              const MPI_Comm            communicator);
+              const State              &state);
 
 
 

@@ -35,15 +35,17 @@ namespace Crevasse
     }
   };
 
-  /** State of a contact node at an instant. */
+  /** State of a node of LipBasis at an instant; without an unknown, open and
+   * without pressure. */
   struct PairState
   {
-    double opening;  ///< u_N − gap
-    double pressure; ///< its own, or without weight that of its first master
+    double opening = 0.; ///< u_N − gap
+    /** Pressure of the node or, without weight, of its first master. */
+    double pressure = 0.;
     /** Whether the node with this pressure, or this node, is under pressure,
      * not only in contact: its opening is negligible against the largest
      * displacement of the body, its force not negligible against the loads. */
-    bool is_closed;
+    bool is_closed = false;
   };
 
   /** State of the lips at an instant, over all ranks. */
@@ -92,13 +94,16 @@ namespace Crevasse
                     const dealii::IndexSet        &owned_unknowns,
                     Expression                   &&gap_formula);
 
+    /** Nodes of all ranks. */
+    const LipBasis<dim> &basis;
+
     /** Contact nodes of this rank, in the order of their unknowns. */
     std::vector<LipNode<dim>> nodes;
 
     /** Largest contact force that is rounding relative to the loads. */
     double negligible_force = 0.;
 
-    /** States of the contact nodes of this rank. Collective. */
+    /** States of all nodes of LipBasis, on all ranks. Collective. */
     std::vector<PairState>
     states(const Vector        &displacement,
            const ContactForces &contact_forces) const;
@@ -112,7 +117,7 @@ namespace Crevasse
     double
     force(const ContactForces &contact_forces) const;
 
-    /** Rate β_N of each node of this rank that a flow opens for good; 0 for
+    /** Rates β_N of all nodes of LipBasis that a flow opens for good; 0 for
      * other nodes. Collective. */
     std::vector<double>
     opening_rates(const Vector &velocity) const;
@@ -150,7 +155,6 @@ namespace Crevasse
       std::vector<std::pair<unsigned int, double>> masters;
     };
 
-    const LipBasis<dim>           &basis;
     const dealii::DoFHandler<dim> &dof_handler;
     const Expression               gap;
     const double       rounding; ///< rounding of coordinates, where gaps end

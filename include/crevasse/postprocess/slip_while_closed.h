@@ -94,21 +94,19 @@ namespace Crevasse
       Vector u = sample.state.displacement;
       if (const SecularFlow *const flow = sample.secular_flow; flow != nullptr)
         u.add(sample.time, flow->velocity);
-      const Space<dim>   &space = body.space;
-      std::vector<double> all(lengths.size() * (dim + 1));
-      const auto          states =
+      const LipBasis<dim> &lip   = body.space.lip;
+      const auto           jumps = lip.jumps(body.space.nodal_values(u));
+      const auto           states =
         body.lip.states(sample.state.displacement, sample.state.contact_forces);
-      for (unsigned int k = 0; k < states.size(); ++k)
-        // At rigid planes there is no second lip to slide on.
-        if (const unsigned int i = body.lip.nodes[k].number;
-            space.lip.nodes[i].sides[1] != dealii::numbers::invalid_dof_index)
-          all[i * (dim + 1) + dim] = states[k].is_closed ? 1. : 0.;
-      dealii::Utilities::MPI::sum(all, space.communicator(), all);
-      const auto jumps = space.lip.jumps(space.nodal_values(u));
+      std::vector<double> all;
       for (unsigned int i = 0; i < jumps.size(); ++i)
-        std::copy(jumps[i].begin_raw(),
-                  jumps[i].end_raw(),
-                  all.begin() + i * (dim + 1));
+        {
+          all.insert(all.end(), jumps[i].begin_raw(), jumps[i].end_raw());
+          // At rigid planes there is no second lip to slide on.
+          const bool has_two =
+            lip.nodes[i].sides[1] != dealii::numbers::invalid_dof_index;
+          all.push_back(has_two && states[i].is_closed ? 1. : 0.);
+        }
       return all;
     }
 

@@ -170,10 +170,7 @@ namespace Crevasse
     double
     open_length_of(const State &state) const
     {
-      return open_length(body.lip,
-                         region.tip,
-                         state,
-                         body.space.communicator());
+      return open_length(body.lip, region.tip, state);
     }
 
     /** Whether K_I is 0. After creep a closed tip may have singular stress. */

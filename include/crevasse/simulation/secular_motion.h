@@ -41,9 +41,10 @@ namespace Crevasse
         return;
       const auto rates =
         setup.body.lip.opening_rates(work.start.flow->velocity);
-      for (unsigned int k = 0; k < rates.size(); ++k)
-        if (rates[k] > 0.)
-          opening_nodes.push_back({k, rates[k]});
+      const auto &nodes = setup.body.lip.nodes;
+      for (unsigned int k = 0; k < nodes.size(); ++k)
+        if (const double rate = rates[nodes[k].number]; rate > 0.)
+          opening_nodes.push_back({k, rate});
     }
 
     void
