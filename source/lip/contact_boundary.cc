@@ -47,6 +47,7 @@ namespace Crevasse
       {
         const auto  &node      = all[i];
         const double gap_there = gap_at(node.point);
+        has_gap = has_gap || (node.has_unknown() && gap_there != 0.);
         if (node.has_unknown() && owned_unknowns.is_element(node.unknown))
           nodes.push_back({node, i, gap_there});
         Place place;

@@ -29,10 +29,7 @@ namespace Crevasse
     void
     require_suitable_body(const Body<dim> &body, const ComparedLip comparison)
     {
-      bool has_gap = false;
-      for (const LipNode<dim> &node : body.lip.nodes)
-        has_gap = has_gap || node.gap != 0.;
-      demand(!Utilities::MPI::logical_or(has_gap, body.space.communicator()),
+      demand(!body.lip.has_gap,
              comparison,
              "the closed forms hold for a lip without initial opening; here "
              "[Boundary] Gap is not 0.");

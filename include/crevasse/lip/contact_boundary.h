@@ -100,6 +100,9 @@ namespace Crevasse
     /** Contact nodes of this rank, in the order of their unknowns. */
     std::vector<LipNode<dim>> nodes;
 
+    /** Whether a contact node of any rank has a gap other than 0. */
+    bool has_gap = false;
+
     /** Largest contact force that is rounding relative to the loads. */
     double negligible_force = 0.;
 
