@@ -17,11 +17,6 @@ namespace Crevasse
 
   namespace
   {
-    // Debian's own Python has the packages; a virtual environment may not.
-    constexpr const char *python = "/usr/bin/python3";
-
-
-
     /** The directory of the Python package; empty if there is none. */
     fs::path
     find_package(const fs::path &program)
@@ -97,13 +92,14 @@ namespace Crevasse
 
     leave_server(program_main);
     // -B: Python writes no bytecode beside the scripts.
-    std::vector<const char *> words = {python, "-B", "-m", "crevasse"};
+    std::vector<const char *> words = {CREVASSE_PYTHON, "-B", "-m", "crevasse"};
     words.insert(words.end(), argv + 1, argv + argc);
     words.push_back(nullptr);
-    execv(python, const_cast<char *const *>(words.data()));
-    std::cerr << "crevasse " << name << ": cannot start " << python
-              << ". Install Debian's packages python3-jinja2, "
-                 "python3-matplotlib and python3-meshio.\n";
+    execv(words[0], const_cast<char *const *>(words.data()));
+    std::cerr << "crevasse " << name << ": cannot start "
+              << CREVASSE_PYTHON
+      ". Install Debian's packages python3-jinja2, "
+      "python3-matplotlib and python3-meshio.\n";
     return file_failure;
   }
 } // namespace Crevasse

@@ -25,7 +25,7 @@ namespace Crevasse
   is_script_command(const int argc, const char *const *argv);
 
   /**
-   * Replaces this process, before MPI starts, by `/usr/bin/python3 -m crevasse
+   * Replaces this process, before MPI starts, by `CREVASSE_PYTHON -m crevasse
    * NAME ...`. The package is searched beside the program: in `python` of a
    * build directory, or in `../share/crevasse/python` of an installation. The
    * environment variable `CREVASSE_PROGRAM` is the path of the program; a
