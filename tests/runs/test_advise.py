@@ -149,14 +149,14 @@ def test_stop():
 
 def test_refusals():
     for arguments, status, *messages in (
-            (("--error", "2"), 2, "no relative error"),
-            (("--error", "1e-14"), 2, "no relative error", "1e-8"),
+            (("--error", "2"), 2, "not an allowed relative error"),
+            (("--error", "1e-14"), 2, "not an allowed relative error", "1e-8"),
             (("--error", "0.1", "--quantities", "probe_tap/u"), 2,
              "--quantities probe_tap/u", "probe_top"),
             (("--error", "0.1", "--quantities", "stress"), 2, "mesh to mesh"),
             (("--error", "0.1", "--quantities", "contact/closed_nodes"), 2,
              "mesh to mesh"),
-            (("--error", "0.1", "--quantities", ","), 2, "is no quantity"),
+            (("--error", "0.1", "--quantities", ","), 2, "is not a quantity"),
             (("--error", "0.1", "--quantities", "crack_tip/K_I"), 2,
              "Stress intensity"),
             ((), 2, "--error"),

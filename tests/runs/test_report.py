@@ -258,7 +258,7 @@ def other_runs():
     table = run(SOURCE / "prm" / "raous1980_table1.prm", "table",
                 ["Contact/Relaxation table=1.8, 1.9"])
     page, _ = report(table.directory)
-    check_says(page, "no period was asked for", "No period was computed")
+    check_says(page, "no period was requested", "There is no computed period")
     check(len(data_of(page)["charts"][0]["series"][0]["points"]) == 3, "Table 1")
     # The square of its stress is too large for the files of fields.
     huge = run(PAPER, "huge", ["Boundary/Contact=none",
@@ -384,7 +384,7 @@ def unfinished_runs():
     path = directory / "contact.csv"
     path.write_text("\n".join(path.read_text().splitlines()[:100]) + "\n1485,3")
     page, said = report(directory)
-    check("Broken off" in said, f"killed: {said}")
+    check("Interrupted" in said, f"killed: {said}")
     check_says(page, "The tables end at t =", "There is no checkpoint",
                "a boundary has the role Contact", "There is no summary yet")
     views = data_of(page)["charts"][0]["views"]
@@ -392,7 +392,7 @@ def unfinished_runs():
     check(views["last"]["t"][0] == 1470 - 600, "a period, though within the third")
     running = directory / "running"
     running.write_text(f"process {os.getpid()} on {socket.gethostname()}\n")
-    check_says(report(directory)[0], "Broken off")  # the number is another's now
+    check_says(report(directory)[0], "Interrupted")  # the number is another's now
     with open(running) as file:
         fcntl.flock(file, fcntl.LOCK_EX)
         check_says(report(directory)[0], "The run is still running")

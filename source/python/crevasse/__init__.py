@@ -7,8 +7,8 @@ __all__ = ["CommandError", "Results", "ResultsError", "read", "run"]
 
 
 def __getattr__(name):
-    """Imported when used: the subcommands import this package as well, and report
-    themselves which of Debian's packages are missing."""
+    """Imports scripting when a name of it is used: the subcommands import this package
+    as well, and report themselves which of Debian's packages are missing."""
     if name not in __all__:
         raise AttributeError(f"module crevasse has no attribute {name}")
     from crevasse import scripting

@@ -35,7 +35,8 @@ def main(words):
 
 
 def guarded(words):
-    """Commands report what they cannot read or write, except the standard output."""
+    """Runs a subcommand; reports unreadable and unwritable files, except standard
+    output."""
     try:
         return main(words)
     except OSError as error:

@@ -43,28 +43,28 @@ that are tried: the nearest settings are written then."""
 
 
 def target_error(text):
-    """Rounding and the contact solvers' tolerance are not far below 1e-8."""
+    """Parses --error: rounding and the contact tolerance are not far below 1e-8."""
     error = number(text)
     if error is None or not 1e-8 <= error < 1.:
         raise argparse.ArgumentTypeError(
-            f"\"{text}\" is no relative error that could be reached: a number of at "
-            "least 1e-8 and less than 1, as 1e-3.")
+            f"\"{text}\" is not an allowed relative error: must be a number of at "
+            "least 1e-8 and less than 1, such as 1e-3.")
     return error
 
 
 def arguments(words):
     parser = Parser("advise", description=__doc__, epilog=EPILOG)
     parser.add_argument("--error", type=target_error, required=True, metavar="NUMBER",
-                        help="the relative error of the histories, as 1e-3")
-    parser.add_argument("--quantities", metavar="LIST", help="quantities that are to "
-                        "have it, separated by commas, as probe_mouth/u, "
-                        "crack_tip/K_I; without it u and s of all probes")
+                        help="relative error of the histories, such as 1e-3")
+    parser.add_argument("--quantities", metavar="LIST", help="quantities that must "
+                        "have this error, separated by commas, such as probe_mouth/u, "
+                        "crack_tip/K_I (u and s of all probes)")
     parser.add_common("results/<scene name>_advice")
     return parser.parse(words)
 
 
 class Advice:
-    """What was asked for, and what was found."""
+    """The search for the cheapest settings: what was requested, and what was found."""
 
     def __init__(self, options, program, log):
         self.scene_file, self.target, self.log = options.scene, options.error, log
@@ -106,16 +106,16 @@ class Advice:
             self.errors, self.log)
         self.time.extend_to(PART_IN_TIME * self.target)
         if not self.time.points:
-            raise CommandError("nothing could be run on the coarsest mesh: "
+            raise CommandError("no scheme runs on the coarsest mesh: "
                                + "; ".join(self.time.notes), 3)
         self.errors.require_histories(self.time.points[0].run)
         self.require_errors(self.time)
         base = self.search_in_space(in_space)
         self.require_errors(self.space)
         if not self.errors.counting():
-            raise CommandError("no history converges as the cells are halved, and no "
-                               "error can be reached: " + "; ".join(self.space.notes),
-                               3)
+            raise CommandError("no history converges as the cells are halved, so that "
+                               "no error can be reached: "
+                               + "; ".join(self.space.notes), 3)
         self.log("Both together:")
         self.pairs = Pairs(self.space, self.time, base, self.target,
                            self.period.times_the_periods, self.run_pair, self.errors)
@@ -123,7 +123,7 @@ class Advice:
         self.best = self.pairs.best()
 
     def coarsest_mesh(self, meshes, stable_steps):
-        """The first on which the scene is not refused, by a run of one period."""
+        """First mesh on which the program accepts the scene, by a run of one period."""
         steps = stable_steps.candidates[0]
         for mesh in meshes.candidates[:meshes.refusals_that_pass + 1]:
             trial = self.runs.run(
@@ -139,17 +139,17 @@ class Advice:
         return meshes.candidates[0]
 
     def require_errors(self, search):
-        """Without two runs that can be compared there is no error, and no advice."""
+        """Raises CommandError unless two runs can be compared, which errors need."""
         if search.reference is None:
             raise CommandError(
-                f"the error in {'time' if search.in_time else 'space'} is unknown: it "
-                "takes two runs of one kind that have what is compared. What ended "
-                "each kind: " + "; ".join(search.notes), 3)
+                f"the error in {'time' if search.in_time else 'space'} is unknown: an "
+                "error needs two runs of one kind that have the compared quantities. "
+                "Each kind ended: " + "; ".join(search.notes), 3)
 
     def search_in_space(self, families):
-        """With the cheapest steps that meshes other than the coarsest bear, too: on
-        finer ones explicit schemes may fail, as where creep grows with the stress at a
-        tip. The point in time."""
+        """Searches the meshes with the cheapest steps that work on finer meshes, too:
+        there explicit schemes may fail, as where creep grows with the stress at a tip.
+        Returns the point in time."""
         for base in self.bases_in_time():
             self.log(f"Space, with {base.candidate.text}:")
             self.space = Search(
@@ -164,8 +164,8 @@ class Advice:
         return base
 
     def bases_in_time(self):
-        """Of each scheme the least work with errors that are small beside what happens,
-        cheapest first."""
+        """For each scheme the point of least work whose error is small beside the
+        histories, cheapest first."""
         small = [point for point in self.time.points if point.error < ERROR_OF_BASE]
         best = {}
         for point in sorted(small or [self.time.reference],
@@ -203,8 +203,8 @@ def advise(options, stop, log):
     if not advice.reached:
         raise CommandError(
             "the error is not reached: the nearest settings have an error of "
-            f"{advice.best.error:.2g}. {advice.directory}/advice.md tells how far each "
-            "kind of mesh and scheme was taken.", 3)
+            f"{advice.best.error:.2g}. {advice.directory}/advice.md lists how far each "
+            "kind of mesh and scheme was refined.", 3)
 
 
 def main(words):

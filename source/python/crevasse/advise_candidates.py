@@ -41,9 +41,9 @@ class Family:
 
 
 def fewest_steps(scene):
-    """Ten samples a period are the fewest that show a history. Loads may jump at
-    the ends of the scene's own steps: a few more that divide their number are
-    preferred. All numbers of steps are this one, doubled again and again."""
+    """Fewest steps a period: ten samples are the fewest that show a history. Loads may
+    jump at the ends of the scene's own steps: slightly more steps that divide these are
+    preferred. Finer candidates double the number."""
     own = int(scene[TIME + "Steps per period"])
     if scene[TIME + "Step control"] == "uniform":
         return next((n for n in range(10, 20) if own % n == 0), 10)
@@ -66,7 +66,8 @@ def equal_steps(scene, scheme, locate_events=False):
 
 
 def steps_by_tolerance(scene):
-    """With samples at equal distances."""
+    """Adaptive steps with smaller and smaller tolerances, sampled at equal
+    distances."""
     scheme = "arkode implicit"
     candidates = []
     for level in range(LEVELS_IN_TIME):
@@ -95,7 +96,7 @@ def family_of(scheme, families):
 
 
 def meshes(scene, degree, functions=0, strategy="none"):
-    """Elements of one kind on finer and finer meshes."""
+    """A family of finer and finer meshes with elements of one kind."""
     graded, adapted = strategy == "tip", strategy == "adaptive"
     # Each division at the tip halves the error that it leaves. A level divides by
     # four what cells of degree 1 leave elsewhere, by eight those of degree 2.
@@ -128,7 +129,7 @@ def meshes(scene, degree, functions=0, strategy="none"):
 
 
 def families_in_space(scene):
-    """Those that make sense at all."""
+    """The families of meshes that suit the scene."""
     plane = scene["Dimension"] == "2"
     families = [meshes(scene, 1), meshes(scene, 2)]
     if has_lip(scene) and scene["Geometry/Shape"] not in ("rectangle", "box"):

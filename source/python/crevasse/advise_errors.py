@@ -24,18 +24,18 @@ VANISHES = 1e-9
 
 
 def choose_quantities(text, scene, probes):
-    """Those of --quantities, or u and s of every probe."""
+    """Quantities to compare: the list of --quantities, or u and s of every probe."""
     if scene["Periodic state/Maximum periods"] == "0":
-        raise CommandError("[Periodic state] Maximum periods = 0: nothing is "
-                           "marched, and no history has an error. Set it to at least "
-                           "1.", 2)
+        raise CommandError("[Periodic state] Maximum periods = 0: the scene computes "
+                           "no period, so that no history has an error. Set it to at "
+                           "least 1.", 2)
     if text is None:
         if not probes:
             raise CommandError(
-                "the scene has no probes, and no history has an error. Name the "
-                "points whose displacement and stress matter, as --set "
-                "\"Output/Probes=mouth: 1, 0\", or other quantities, as --quantities "
-                "contact/force.", 2)
+                "the scene has no probes, so that no history has an error. Name the "
+                "points whose displacement and stress matter, as in --set "
+                "\"Output/Probes=mouth: 1, 0\", or other quantities, as in "
+                "--quantities contact/force.", 2)
         return [f"probe_{name}/{kind}" for name in probes for kind in "us"]
     names = list(dict.fromkeys(map(str.strip, text.split(","))))
     tables = {f"probe_{probe}": PROBE for probe in probes} | TABLES
@@ -47,13 +47,13 @@ def choose_quantities(text, scene, probes):
 
 
 def problem_of(name, scene, tables):
-    """None if the scene writes it."""
+    """Why the scene does not write a quantity; None if it does."""
     if name in OF_MESH:
         return ("differs from mesh to mesh. Take columns of probes, contact, "
                 "crack_tip or load_work.")
     table, slash, column = name.partition("/")
     if kind(table) not in tables or not slash:
-        return ("is no quantity; allowed is TABLE/COLUMN with a table of: "
+        return ("is not a quantity; allowed is TABLE/COLUMN with a table of: "
                 + ", ".join(tables) + (did_you_mean(table, tables) or "."))
     if column not in (columns := tables[kind(table)]):
         return f"there is no such column; columns are: {', '.join(columns)}."
@@ -63,15 +63,15 @@ def problem_of(name, scene, tables):
             scene["Crack tip/Stress intensity"] == "false" or not has_lip(scene)):
         return "set [Crack tip] Stress intensity = true."
     if depends_on_constant(table) and is_periodic(scene):
-        return ("depends on the additive constant of the displacement, which a periodic "
-                "state leaves free. Take probes.")
+        return ("depends on the additive constant of the displacement, which a "
+                "periodic state does not determine. Use probes.")
     if table == "load_work" and scene["Output/Load work"] != "true":
         return "set [Output] Load work = true."
     return None
 
 
 class Errors:
-    """Relative differences of runs. Quantities can be left out."""
+    """Relative differences between runs by quantity. Quantities can be left out."""
 
     def __init__(self, runs, scene, quantities):
         self.runs, self.quantities = runs, quantities
@@ -84,13 +84,13 @@ class Errors:
         return [name for name in self.quantities if name not in self.left_out]
 
     def difference(self, one, reference):
-        """The largest of what counts."""
+        """The largest relative difference of all quantities that are not left out."""
         differences = self.differences(one, reference)
         return max((differences[name] for name in self.counting()), default=0.)
 
     def differences(self, one, reference):
-        """{quantity: relative difference}: infinite if unknown, 0 for
-        what vanishes in the reference."""
+        """{quantity: relative difference}: infinite if unknown, 0 for quantities that
+        vanish in the reference."""
         key = one.name, reference.name
         if key not in self.known:
             found = {name: self.compare(name, one, reference)
@@ -113,7 +113,7 @@ class Errors:
         return compare(column, mine, theirs, self.period, self.periodic)
 
     def table(self, run, name):
-        """The columns at the instants compared; None if there is no table."""
+        """Columns of a run's table at the instants compared; None without the table."""
         key = run.name, name
         if key not in self.tables:
             path = self.runs.folder(run) / f"{name}.csv"
@@ -125,15 +125,15 @@ class Errors:
         return self.tables[key]
 
     def require_histories(self, run):
-        """What is compared must be written, and must not be zero."""
+        """Raises CommandError if a quantity is missing, or all are zero."""
         found = {name: self.compare(name, run, run) for name in self.quantities}
         for name, of in found.items():
             if of.objection:
                 raise CommandError(
                     f"--quantities {name}: the scene does not write it. Probes have "
-                    "u_3 and stresses of it in space only, and opening and pressure "
-                    "on a lip.", 2)
+                    "u_3 and its stresses in three dimensions only, and opening and "
+                    "pressure on a lip only.", 2)
         if not any(of.size for of in found.values()):
-            raise CommandError(f"{run.name}: all that is compared is 0 at all "
-                               "instants, and has no relative error. Is the body "
-                               "loaded, and do the probes move?", 3)
+            raise CommandError(f"{run.name}: all compared quantities are 0 at all "
+                               "instants, so that they have no relative error. Load "
+                               "the body, or move the probes.", 3)

@@ -44,7 +44,8 @@ class Pairs:
         self.factor_of_seconds = {}  # of each family in space and in time
 
     def find(self):
-        """Whether the target is reached."""
+        """Runs pairs until one reaches the target or none promises to: whether one
+        does."""
         in_space = PART_IN_SPACE * self.target
         in_time = PART_IN_TIME * self.target
         for extension in range(EXTENSIONS + 1):
@@ -69,12 +70,12 @@ class Pairs:
                 self.try_pair(pair)
         if not self.finalists:
             raise CommandError("no combination of the settings in space and in time "
-                               "could be run; see log.txt of the folders below runs/.",
+                               "runs; see log.txt in the folders under runs/.",
                                3)
         return self.cheapest_good() is not None
 
     def best(self):
-        """The cheapest that reaches the target, or else the most accurate."""
+        """The cheapest pair that reaches the target, or else the most accurate pair."""
         return self.cheapest_good() or min(self.finalists, key=lambda f: f.error)
 
     def cheapest_good(self):
@@ -89,29 +90,29 @@ class Pairs:
         return tuple(point.family.text for point in self.points(pair))
 
     def predicted_error(self, pair):
-        """Both are largest differences, usually of other probes or at other
-        instants: their sum is hardly ever reached."""
+        """Error that a pair promises. Errors in space and time are usually largest at
+        different probes or instants: their sum is hardly ever reached."""
         space, time = self.points(pair)
         return math.hypot(self.factor_in_space * space.error,
                           self.factor_in_time * time.error)
 
     def searched_seconds(self, pair):
-        """As the searches predict them. A part of each run depends neither on its
-        steps nor on its periods."""
+        """Seconds of a pair as the searches predict them. A part of each run depends
+        neither on its steps nor on its periods."""
         space, time = self.points(pair)
         constant = 0.8 * min(point.run.seconds for point in self.space.points)
         return constant + ((space.run.seconds - constant) * self.times_the_periods
                            * time.run.work / self.base.run.work)
 
     def predicted_seconds(self, pair):
-        """With what other pairs have shown; new kinds are as far off as these."""
+        """Seconds of a pair by what pairs have shown; new kinds are as far off."""
         factors = self.factor_of_seconds
         mean = (math.exp(sum(map(math.log, factors.values())) / len(factors))
                 if factors else 1.)
         return factors.get(self.families(pair), mean) * self.searched_seconds(pair)
 
     def affordable(self):
-        """Pairs that do not take too long; the cheapest in any case."""
+        """Pairs whose run does not take too long; the cheapest pair in any case."""
         pairs = [(s, t) for s in range(len(self.space.points))
                  for t in range(len(self.time.points))]
         seconds = {pair: self.predicted_seconds(pair) for pair in pairs}
@@ -119,8 +120,8 @@ class Pairs:
                 or [min(pairs, key=seconds.get)])
 
     def next(self, seconds):
-        """The pair to run next, if one promises the target and may take less than
-        these seconds."""
+        """The pair to run next, if one promises the target and may take less than these
+        seconds."""
         tried = self.failed | {finalist.pair for finalist in self.finalists}
         promising = []
         for pair in self.affordable():
@@ -184,7 +185,7 @@ class Pairs:
         self.learn(finalist)
 
     def learn(self, finalist):
-        """Corrects the predictions."""
+        """Corrects the predictions by the run of a pair."""
         pair = finalist.pair
         self.factor_of_seconds[self.families(pair)] = (
             finalist.run.seconds / self.searched_seconds(pair))

@@ -34,11 +34,11 @@ class Period:
 
     @property
     def times_the_periods(self):
-        """Factor of the periods of a result to those of a search."""
+        """Ratio of the number of periods of the final run to that of a search."""
         return 1. if self.searched else self.own_periods / self.search_periods
 
     def choose(self, in_time, mesh, common, runs, errors, log):
-        """Settings of everything but the steps."""
+        """Chooses method and tolerance for the periodic state on the coarsest mesh."""
         if not self.searched:
             return
 
@@ -101,7 +101,7 @@ class Period:
         return {}
 
     def name(self, steps, purpose):
-        """Its part of the name of a run."""
+        """Part of a run's name that tells the settings of the periodic state."""
         if self.searched:
             return f"__{self.method(steps)}_{self.tolerance_for(purpose):.12g}"
         periods = self.search_periods if purpose == SEARCH else self.own_periods

@@ -13,14 +13,14 @@ from crevasse.command import write_file
 
 
 def write(directory, advice):
-    """Each file as a whole."""
+    """Writes advised.prm, advice.md and advice.json, each as a whole."""
     for name, text in (("advised.prm", scene(advice)), ("advice.md", markdown(advice)),
                        ("advice.json", json.dumps(data(advice), indent=2) + "\n")):
         write_file(directory / name, text)
 
 
 def changes(advice):
-    """(parameter, value before, value now)."""
+    """Rows (parameter, value before, value now) for each changed parameter."""
     for name, now in advice.advised.items():
         before = advice.scene.get(name, "")
         if before != now and "/" in name:
@@ -31,15 +31,15 @@ def changes(advice):
 def measured(advice):
     best = advice.best
     if best.reference is None:
-        return (f"Its error is estimated as {best.error:.2g}: no finer run could be "
-                "made.")
+        return (f"Its error is estimated as {best.error:.2g}: there is no finer run to "
+                "compare with.")
     return (f"Its error, measured against {best.reference.name}, is {best.error:.2g}"
-            + ("." if advice.reached else ", more than was asked for."))
+            + ("." if advice.reached else ", more than requested."))
 
 
 def scene(advice):
-    """The advised scene, which includes the one that was there, with a comment that
-    tells how it came about."""
+    """Text of advised.prm: it includes the original scene, sets what differs, and says
+    in a comment how it came about."""
     words = [f"{advice.scene_file.name} with the settings that crevasse advise has "
              f"found for an error of {advice.target:g} in "
              f"{', '.join(advice.errors.quantities)}: {advice.choice}.",
@@ -53,7 +53,7 @@ def scene(advice):
 
 
 def own_lines(advice):
-    """What differs from the file of the scene, each with the reason."""
+    """Lines of advised.prm that differ from the scene, each with the reason."""
     for section, group in itertools.groupby(
             own_settings(advice), lambda setting: setting[0].rpartition("/")[0]):
         blanks = "  " if section else ""
@@ -67,8 +67,8 @@ def own_lines(advice):
 
 
 def own_settings(advice):
-    """(parameter, value, reason), in the order of the sections. A file that the scene
-    names beside itself is not beside advised.prm."""
+    """Settings (parameter, value, reason) of advised.prm, in the order of the sections.
+    Files that lie beside the original scene get a path from advised.prm."""
     given = {"/".join(" ".join(part.split()) for part in name.split("/"))
              for name in advice.overrides}
     for name, now in advice.advised.items():
@@ -82,7 +82,7 @@ def own_settings(advice):
 
 
 def conclusion(advice):
-    """Lines for the log."""
+    """Last lines of the log: the advice, its error and its costs."""
     yield ("Advice: " if advice.reached else "Nearest: ") + advice.choice
     yield "  " + measured(advice)
     text = f"  It takes {advice.best.run.seconds:.2g} s of CPU time."
@@ -97,7 +97,7 @@ def conclusion(advice):
         yield f"  The scene with its own settings: {own.status}: {own.message}"
     for name in advice.errors.left_out:
         yield f"  {name} does not count: it does not converge (advice.md)."
-    yield (f"  scene in {advice.directory}/advised.prm, evidence in advice.md and "
+    yield (f"  scene: {advice.directory}/advised.prm; evidence: advice.md and "
            "advice.json there")
 
 
@@ -159,7 +159,7 @@ def markdown(advice):
 
 
 def known(number):
-    """JSON has no infinity."""
+    """A number for JSON, which has no infinity: None if it is not finite."""
     return number if number is not None and math.isfinite(number) else None
 
 

@@ -29,21 +29,21 @@ class Run(Outcome):
 
     @property
     def seconds(self):
-        """CPU time with the set-up of meshes: other work on the machine does not
-        count."""
+        """CPU time of a run, with the set-up of meshes: other work on the machine does
+        not count."""
         return self.costs.get("processor_seconds", 0)
 
     @property
     def work(self):
-        """Compares steps on one mesh, in units of one solve. Seconds of runs on
-        coarse meshes are mostly set-up and noise."""
+        """Work of a run, in units of one solve, to compare steps on one mesh. Seconds
+        of runs on coarse meshes are mostly set-up and noise."""
         return (self.costs.get("linear_solves", 0)
                 + self.costs.get("rate_evaluations", 0)
                 + SOLVES_OF_A_FACTORISATION * self.costs.get("factorisations", 0))
 
 
 class Runs:
-    """All runs of one scene."""
+    """All runs of one scene, in their folders."""
 
     def __init__(self, program, scene, settings, directory, log):
         self.program, self.scene, self.settings = program, scene, settings
@@ -57,7 +57,7 @@ class Runs:
         return self.directory / "runs" / run.name
 
     def run(self, name, settings):
-        """The run with these settings, computed now if it is not there yet."""
+        """The run with these settings, computed now unless its folder has it."""
         if name not in self.known:
             folder = self.directory / "runs" / name
             run = self.finished(folder, name, settings)
@@ -75,7 +75,7 @@ class Runs:
         return self.known[name]
 
     def finished(self, folder, name, settings):
-        """None if the folder has not the whole results of this scene."""
+        """The run in a folder; None unless the folder has all results of this scene."""
         try:
             kept = json.loads((folder / "finished.json").read_text())
             if (kept["scene"], kept["settings"]) == (self.base, as_text(settings)):

@@ -29,8 +29,8 @@ class Point:
 
 
 class Search:
-    """Errors are differences from the finest run of the family that converges best,
-    plus the error that this run is estimated to have."""
+    """Search in time or space. Errors are differences from the finest run of the family
+    that converges best, plus the error that this run is estimated to have."""
 
     def __init__(self, in_time, families, run, errors, log):
         self.in_time, self.families, self.run = in_time, families, run
@@ -43,8 +43,8 @@ class Search:
         return point.run.work if self.in_time else point.run.seconds
 
     def extend_to(self, error):
-        """Continues until a point has the error and the reference a fraction of it.
-        Whether they have it."""
+        """Runs candidates until a point has this error, and the reference a fraction of
+        it; returns whether they have."""
         while True:
             best = self.cheapest(error)
             good_reference = (self.reference is not None
@@ -75,7 +75,7 @@ class Search:
         return min(good, key=self.cost, default=None)
 
     def growth(self, family):
-        """Factor of the work from one level to the next, as the meshes show it."""
+        """Growth factor of the work from one level of a family to the next."""
         if self.in_time or len(family.points) < 2:
             return family.growth
         before, last = family.points[-2:]
@@ -90,8 +90,8 @@ class Search:
                            * self.growth(family) ** levels)
 
     def levels_to(self, family, error):
-        """How many levels a family needs, if errors fall as last time; before that,
-        as those of the best methods do."""
+        """Number of levels that a family needs for an error, if errors fall as last
+        time; before that, as those of the best methods do."""
         if not family.points or math.inf in (family.points[-1].error, error):
             return 1.
         last = family.points[-1].error
@@ -103,7 +103,7 @@ class Search:
         return max(1., levels)
 
     def may_continue(self, family):
-        """Whether its next candidate may be run: sizes and times are limited."""
+        """Whether limits of size and time allow the family's next candidate."""
         if family.ended:
             return False
         seconds = unknowns = 0.
@@ -149,7 +149,7 @@ class Search:
         self.notes.append(f"{family.text}: {reason}")
 
     def leave_out(self, family, reason):
-        """With all that was run of it."""
+        """Leaves out a family with all its runs."""
         self.end(family, reason)
         family.points.clear()
         self.points = [point for point in self.points if point.family is not family]
@@ -171,7 +171,7 @@ class Search:
         return changes[-1] * ratio / (1. - ratio)
 
     def estimate(self):
-        """The errors of all points."""
+        """Estimates the errors of all points."""
         least, family = min(((self.error_of_last(family), k)
                              for k, family in enumerate(self.families)))
         if least == math.inf:
@@ -183,9 +183,8 @@ class Search:
                 self.errors.difference(point.run, self.reference.run))
 
     def diverges(self, family, quantity, error):
-        """Whether a quantity keeps changing as all cells are halved; None if
-        unknown yet. At a tip each halving changes the stress by
-        1 - 1/sqrt(2) of itself."""
+        """Whether a quantity keeps changing as all cells are halved; None if unknown
+        yet. At a tip each halving changes the stress by 1 - 1/sqrt(2) of itself."""
         changes = [self.errors.differences(a.run, b.run)[quantity]
                    for a, b in zip(family.points, family.points[1:])]
         if changes and changes[-1] < max(LARGE, error):
@@ -195,8 +194,8 @@ class Search:
         return changes[-1] > FALLS * changes[-2]
 
     def suspicious(self, error):
-        """A family whose next run may tell that a quantity does not converge. The
-        first such family is the cheapest; the others are asked if it is suspicious."""
+        """A family whose next run may show that a quantity does not converge. The first
+        such family is the cheapest; the others are asked if it is suspicious."""
         for family in self.families:
             if not family.halves_cells:
                 continue
@@ -222,12 +221,12 @@ class Search:
                     f"{name} is left out: it does not converge as the cells are "
                     "halved. The stress at a crack tip is infinite, at a free corner "
                     "zero, and on the line between two materials it has two values: "
-                    "move the probe to where the stress is one number")
+                    "move the probe to a point where the stress has one finite value")
                 self.log(f"  {name} does not converge as the cells are halved: left "
                          "out")
 
     def name_the_hardest(self):
-        """Tells once if one quantity alone makes the search expensive."""
+        """Logs once if one quantity alone makes the search expensive."""
         if (self.hardest_is_named or self.in_time or self.reference is None
                 or self.reference.run.unknowns < MANY_UNKNOWNS):
             return
@@ -239,6 +238,6 @@ class Search:
         largest, second = changes[ranked[-1]], changes[ranked[-2]]
         if largest >= CLEARLY * second:
             self.hardest_is_named = True
-            self.log(f"  {ranked[-1]} asks for these meshes: it still changes by "
+            self.log(f"  {ranked[-1]} needs these meshes: it still changes by "
                      f"{largest:.2g}, all others by at most {second:.2g}. If it does "
-                     "not matter, name what does with --quantities.")
+                     "not matter, name the quantities that do with --quantities.")

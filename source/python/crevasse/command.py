@@ -30,7 +30,7 @@ class CommandError(Exception):
 
 
 class Parser(argparse.ArgumentParser):
-    """Names the option that may have been meant."""
+    """Parser of a subcommand, which suggests the option that may have been meant."""
 
     def __init__(self, name, **options):
         super().__init__(prog=f"crevasse {name}", allow_abbrev=False, **options,
@@ -75,14 +75,15 @@ class Parser(argparse.ArgumentParser):
 
 
 def count(text):
-    """An integer of at least 1."""
+    """Parses an integer of at least 1."""
     if not (text.isdecimal() and int(text) > 0):
-        raise argparse.ArgumentTypeError(f"\"{text}\" is no integer of at least 1.")
+        raise argparse.ArgumentTypeError(
+            f"\"{text}\" must be an integer of at least 1.")
     return int(text)
 
 
 def wall_time(text):
-    """Seconds; "3600", "1:00:00", "2-12:00:00"."""
+    """Parses a time, such as "3600", "1:00:00" or "2-12:00:00"; returns seconds."""
     clock = re.fullmatch(r"(?:(\d{1,4})-)?(\d{1,4}):([0-5]?\d):([0-5]?\d)", text)
     if clock:
         days, hours, minutes, seconds = (int(part or 0) for part in clock.groups())
@@ -90,8 +91,8 @@ def wall_time(text):
     seconds = number(text)
     if not seconds or not seconds > 0:
         raise argparse.ArgumentTypeError(
-            f"\"{text}\" is no time: write seconds, hours:minutes:seconds, or "
-            "days-hours:minutes:seconds, as 3600, 1:00:00 or 2-12:00:00.")
+            f"\"{text}\" is not a time: write seconds, hours:minutes:seconds, or "
+            "days-hours:minutes:seconds, such as 3600, 1:00:00 or 2-12:00:00.")
     return seconds
 
 
@@ -111,7 +112,7 @@ class Stop:
         self.name = signal.Signals(signal_number).name
 
     def look_in(self, directory):
-        """A file that is there already was meant for others."""
+        """Sets the directory of the file "stop"; an old file was meant for others."""
         self.file = pathlib.Path(directory) / "stop"
         self.file.unlink(missing_ok=True)
 
@@ -155,7 +156,7 @@ class Log:
         self.file.flush()
 
     def error(self, text):
-        """On standard error, even if quiet, and in the file if there is one."""
+        """Prints an error on standard error, even if quiet, and in the log file."""
         self.progress("")
         print(text, file=sys.stderr)
         self.write(text + "\n")
@@ -166,7 +167,7 @@ class Log:
             self.say(f"\r{text[:width]}\033[K")
 
     def say(self, text):
-        """Whoever reads may end before the runs do, or a disk be full."""
+        """Prints a line, unless the reader has ended or the disk is full."""
         try:
             print(text, end="", flush=True)
         except OSError:
@@ -176,7 +177,7 @@ class Log:
 
 @contextlib.contextmanager
 def taken(directory):
-    """Makes the directory, and keeps others out of it."""
+    """Makes the directory and locks it against other processes."""
     path = directory / "running"
     try:
         directory.mkdir(parents=True, exist_ok=True)
@@ -203,7 +204,7 @@ def taken(directory):
 
 
 def write_file(path, text):
-    """As a whole or not at all."""
+    """Writes a file as a whole or not at all."""
     part = path.with_name(path.name + ".part")
     part.write_text(text, encoding="utf-8", errors="surrogateescape")
     os.replace(part, path)

@@ -32,7 +32,7 @@ def depends_on_constant(table):
 
 
 class Table:
-    """One that a run has written; its columns by name."""
+    """A table that a run has written; its columns by name."""
 
     def __init__(self, path):
         try:
@@ -84,7 +84,7 @@ def without_means(names, values):
 
 @dataclasses.dataclass
 class Comparison:
-    """Of a quantity of two runs."""
+    """Difference of a quantity between two runs, or why they cannot be compared."""
     difference: float = math.inf  # largest at the common instants
     size: float = math.nan  # largest value of the reference
     instants: int = 0
@@ -92,7 +92,7 @@ class Comparison:
 
 
 def compare(column, mine, theirs, period, periodic):
-    """Compares tables; those of periodic states have their last period alone."""
+    """Compares a quantity of two tables, which have the last period if periodic."""
     names = [name for name in theirs.columns
              if selects(column, name) and name in mine.columns]
     if not names:

@@ -17,7 +17,7 @@ Ending = collections.namedtuple("Ending", "kind, heading, sentences")
 
 
 def ending_of(run):
-    """Judged by the last message of the log and by the summary."""
+    """How a run ended, judged by the last message of the log and by the summary."""
     message = last_message(run.log)
     if "stopped on request" in message:
         return stopped(run, message)
@@ -56,7 +56,7 @@ def finished(run):
             f"Its estimated error is {significant(error, 3)} of the largest stress "
             f"component ([Periodic state] Tolerance = {tolerance})."])
     if converged is None:
-        return Ending("plain", "Done: no period was asked for", [])
+        return Ending("plain", "Done: no period was requested", [])
     measured = (f"In the last period it changed by {significant(change, 3)} of the "
                 "largest component; the estimated distance to the periodic stress "
                 f"is {significant(error, 3)}." if error is not None else
@@ -64,7 +64,7 @@ def finished(run):
                 "largest component; its distance from the periodic stress is "
                 "unknown.")
     if number(tolerance) == 0:
-        return Ending("plain", f"Done: {periods} computed, as asked for", [
+        return Ending("plain", f"Done: {periods} computed, as requested", [
             "With [Periodic state] Tolerance = 0 the run does not check whether the "
             "stress is periodic. " + measured])
     return Ending("bad", f"Not converged: the stress is not periodic after {periods}",
@@ -78,7 +78,7 @@ def stopped(run, message):
 
 
 def failed(run, message):
-    """Status 3: with results if only the last judgement failed."""
+    """The ending with status 3: with results if only the last judgement failed."""
     if not run.finished:
         return Ending("bad", "Failed: the run ended with an error", [
             sentence(message), reached(run), checkpoint(run),
@@ -91,7 +91,7 @@ def failed(run, message):
 
 
 def going_on(run):
-    """None if no process runs it."""
+    """The ending of a run that may still be running; None if no process runs it."""
     path = run.directory / "running"
     try:
         words = path.read_text(errors="replace").split()
@@ -101,20 +101,20 @@ def going_on(run):
     at_it = is_locked(path)
     if host != socket.gethostname() or at_it is None:
         return Ending("plain", "The run may still be running", [
-            f"The file running names process {process} on {host}, another machine. "
-            "If this process does not run any more, it was killed. "
+            f"The file running names process {process} on {host}, another machine. If "
+            "this process does not exist any more, the run was killed. "
             + reached(run), checkpoint(run)])
     if not at_it:
         return None
     return Ending("plain", "The run is still running", [
-        f"Process {process} runs it. {reached(run)} Repeat the report when it is "
+        f"Process {process} runs it. {reached(run)} Repeat the report when the run is "
         "done; a file named stop in the output directory stops it."])
 
 
 def is_locked(path):
-    """As long as the run lives it holds a lock on this file, which a kill or the end
-    of its machine releases; its number may be another process's by now. None if
-    that is unknown."""
+    """Whether a run holds its lock on this file, which a kill or the end of its machine
+    releases; its process number may be another process's by now. None if that is
+    unknown."""
     try:
         with open(path) as file:
             fcntl.flock(file, fcntl.LOCK_SH | fcntl.LOCK_NB)
@@ -126,14 +126,14 @@ def is_locked(path):
 
 
 def killed(run):
-    return Ending("bad", "Broken off: the run was killed, or the machine failed", [
-        "There is no summary, no message and no process that writes here. "
+    return Ending("bad", "Interrupted: the run was killed, or the machine failed", [
+        "There is no summary, no error message and no running process. "
         + reached(run), checkpoint(run),
         "This report shows what the run had written by then."])
 
 
 def reached(run):
-    """How far the tables go."""
+    """A sentence on the last instant of the tables."""
     ends = [table["t"][-1] for table in run.tables.values()
             if len(table.get("t", ()))]
     if not ends:
@@ -144,7 +144,7 @@ def reached(run):
 
 
 def checkpoint(run):
-    """The newest checkpoint and what to do with it."""
+    """A sentence on the newest checkpoint and what to do with it."""
     numbers = [int(path.name) for path in (run.directory / "checkpoint").glob("*")
                if path.name.isdigit()]
     if not numbers:

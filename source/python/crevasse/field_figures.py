@@ -17,7 +17,7 @@ COMPONENTS = ("11", "22", "12")
 
 
 def mesh(run, fields):
-    """1: the mesh at rest, materials, the crack and the points that have names."""
+    """Figure 1: the mesh at rest, materials, the crack and the named points."""
     figure, axes = pyplot.subplots(figsize=(5, 5))
     edges = fields.cell_edges(int(run.number("Discretisation/Degree")) ** 2)
     axes.add_collection(LineCollection(fields.points[edges], colors=INK,
@@ -48,8 +48,8 @@ def mesh(run, fields):
 
 
 def draw_materials(axes, fields, names):
-    """Each in a colour of its own: a point of a file belongs to one material. Of more
-    than there are colours, no legend."""
+    """Draws each material in its own colour, by the material of points; more materials
+    than colours get no legend."""
     material = fields.data["material"][fields.corners[:, 0]]
     numbers = numpy.unique(material)
     colours = colormaps["Pastel1"]
@@ -63,7 +63,7 @@ def draw_materials(axes, fields, names):
 
 
 def built_in_shape(run):
-    """Named points, and the lip and the ligament of a shape with a crack."""
+    """Draws the named points, and the lip and the ligament of a shape with a crack."""
     points, parts = dict(run.probes), {}
     shape = run.parameter("Geometry/Shape")
     if shape in ("edge crack", "centre crack"):
@@ -84,7 +84,7 @@ def built_in_shape(run):
 
 
 def stress_levels(fields, magnify, caption):
-    """4: level curves of the three components of the stress."""
+    """Figure 4: level curves of the three components of the stress."""
     figure, panels = pyplot.subplots(1, 3, figsize=(12, 5),
                                      constrained_layout=True)
     stress = [fields[f"stress_{name}"] for name in COMPONENTS]
@@ -97,7 +97,7 @@ def stress_levels(fields, magnify, caption):
 
 
 def span(values, scale):
-    """Least and largest value, zero where it is of the order of rounding."""
+    """Least and largest value as text, zero where of the order of rounding."""
     least, largest = (0.0 if abs(value) <= 1e-6 * scale else value
                       for value in (values.min(), values.max()))
     if largest - least <= 1e-6 * scale:
@@ -106,7 +106,7 @@ def span(values, scale):
 
 
 def principal_stresses(fields, magnify, caption):
-    """5: crosses along the principal directions, as long as the stresses."""
+    """Figure 5: crosses along the principal directions, as long as the stresses."""
     figure, axes = pyplot.subplots(figsize=(6, 6))
     kept = thin_out(fields.points, 1500)
     values = numpy.stack([fields[f"principal_stress_{k}"] for k in (1, 2)], 1)
@@ -139,7 +139,7 @@ def principal_stresses(fields, magnify, caption):
 
 
 def deviator_invariant(fields, magnify, caption):
-    """6: level curves of the second invariant of the deviator."""
+    """Figure 6: level curves of the second invariant of the deviator."""
     figure, axes = pyplot.subplots(figsize=(5.6, 6.2), constrained_layout=True)
     values = fields["second_deviator_invariant"]
     draw_level_curves(axes, fields, values, values.max(), magnify,
@@ -150,8 +150,8 @@ def deviator_invariant(fields, magnify, caption):
 
 
 def bears_nothing(run, fields):
-    """Whether all stress is rounding beside the largest of the run, as where
-    the load passes through zero."""
+    """Whether all stress at an instant is rounding beside the largest of the run, as
+    where the load passes through zero."""
     largest = run.summary_number("extremes", "stress") or 0
     return max(abs(fields[f"principal_stress_{k}"]).max()
                for k in (1, 2)) <= 1e-6 * largest
@@ -163,7 +163,7 @@ def no_stress(t, what="Figures 4 to 6"):
 
 
 def draw_fields(run, fields, t, magnify):
-    """(file name, figure) of the fields of one instant."""
+    """Draws the figures (file name, figure) of the fields of one instant."""
     caption = f"$t$ = {t:g}, displacements × {magnify:g}"
     yield "figure1_mesh", mesh(run, fields)
     if bears_nothing(run, fields):

@@ -40,7 +40,7 @@ SUBSCRIPTS = str.maketrans("0123456789", "₀₁₂₃₄₅₆₇₈₉")
 
 
 def entry(name):
-    """None of what is not shown."""
+    """Description of a component for the page; None if the component is not shown."""
     for rank, (pattern, label, kind) in enumerate(ARRAYS):
         if match := re.fullmatch(pattern, name):
             words = [word.replace("_", " ").translate(SUBSCRIPTS) for word
@@ -50,7 +50,7 @@ def entry(name):
 
 
 def components(data, dimension):
-    """Scalars by name."""
+    """Scalars by name that the view can show."""
     found = {}
     for name, values in data.items():
         if name == "displacement":
@@ -61,7 +61,7 @@ def components(data, dimension):
 
 
 def pack(run):
-    """What the page needs; None of a run without fields."""
+    """Data of the field view for the page; None for a run without fields."""
     stored = run.instants()
     if not stored:
         return None
@@ -86,7 +86,7 @@ def pack(run):
 
 
 def read(run, files):
-    """The skin, and its values of each component at each instant."""
+    """Reads the skin, and its values of each component at each instant."""
     fields, skin = {}, None
     for path in files:
         points, cells, data = read_pieces(path, run.dimension)
@@ -135,7 +135,7 @@ def pack_components(skin, fields, materials):
 
 
 def pack_materials(ids, names):
-    """Numbers from 0 on, each with a band of its own."""
+    """Packs the materials as numbers from 0 on, each with its own band of colour."""
     found, numbers = numpy.unique(ids, return_inverse=True)
     quantum = max(len(found) - 1, 1) / 65535
     rows = numbers.reshape(ids.shape)
@@ -148,8 +148,8 @@ def pack_materials(ids, names):
 
 
 def scale(values, areas):
-    """Even, round levels over nearly all of the body and all instants, and colours
-    of the bands below, between and above them."""
+    """Even, round levels over nearly all of the body and all instants, and colours of
+    the bands below, between and above them."""
     kept = slice(None, None, 1 + values.size // 400_000)
     low, high = range_without_peaks(values.ravel()[kept], areas.ravel()[kept], 0.01)
     if not high - low > NOISE * numpy.ptp(values):
@@ -161,8 +161,8 @@ def scale(values, areas):
 
 
 def band_colours(levels):
-    """Where there are two signs, or nearly, blue for negative values and red for
-    positive ones, the paler the smaller; else from dark to light."""
+    """Colours of bands. If values have two signs, or nearly, blue for negative and red
+    for positive ones, the paler the smaller; else from dark to light."""
     step = levels[1] - levels[0]
     middles = numpy.append(levels, levels[-1] + step) - step / 2
     if levels[0] > 2 * step or levels[-1] < -2 * step:
@@ -180,20 +180,20 @@ def encode(values, low, quantum):
 
 
 def zigzag(differences, bits):
-    """Small numbers of either sign to small ones without."""
+    """Maps small numbers of either sign to small numbers without sign."""
     kind = {16: numpy.uint16, 32: numpy.uint32}[bits]
     return ((differences << 1) ^ (differences >> (bits - 1))).astype(kind)
 
 
 def text_of(values):
-    """Compressed, the first bytes of all numbers first, which are much alike."""
+    """Compresses numbers, all first bytes first, because these are much alike."""
     little = numpy.ascontiguousarray(values).astype(values.dtype.newbyteorder("<"))
     planes = little.reshape(-1, 1).view(numpy.uint8).T
     return base64.b64encode(zlib.compress(planes.tobytes())).decode("ascii")
 
 
 def thinned(packed):
-    """Every second instant goes until the report is small enough."""
+    """Leaves out every second instant until the report is small enough."""
     def characters():
         return sum(len(text) for component in packed["components"]
                    for text in component["values"])

@@ -60,7 +60,7 @@ class Fields:
         return numpy.round(points / self.grid).astype(numpy.int64)
 
     def __getitem__(self, name):
-        """Mean over the points of each node."""
+        """The field of this name: at each node the mean over its points."""
         values = self.array(name)
         count = numpy.bincount(self.node)
         if values.ndim == 1:
@@ -69,7 +69,7 @@ class Fields:
                             for column in values[:, :2].T], axis=1)
 
     def direction(self, name):
-        """As above for directions, which have no sign, in unit length."""
+        """Unit directions without sign: at each node the mean over its points."""
         values = self.array(name)[:, :2]
         turned = (values * values[self.first][self.node]).sum(axis=1) < 0
         values = numpy.where(turned[:, None], -values, values)
@@ -119,11 +119,11 @@ class Fields:
         return split, lambda values: spread(values).reshape(-1)[first]
 
     def cell_edges(self, parts=1):
-        """Of the cells, of which each has that many quadrilaterals."""
+        """Edges of the cells, each of which has that many quadrilaterals."""
         return self.marked_edges(CELL_EDGE, 1 if len(self.quads) % parts else parts)
 
     def outline(self):
-        """Edges of the body."""
+        """Edges of the outline of the body."""
         return self.marked_edges(OUTLINE)
 
     def marked_edges(self, mark, parts=1):
@@ -134,8 +134,8 @@ class Fields:
         return numpy.unique(numpy.sort(ends[marked], axis=1), axis=0)
 
     def lip(self):
-        """Ends of edges that contact forces act on: on an open lip some of the size of
-        rounding. The two lips of a crack have points of their own."""
+        """Ends of edges that contact forces act on; on an open lip forces of the size
+        of rounding. The two lips of a crack have different points."""
         edges = numpy.stack([self.corners, numpy.roll(self.corners, -1, 1)], -1)
         edges, count = numpy.unique(numpy.sort(edges, -1).reshape(-1, 2), axis=0,
                                     return_counts=True)
@@ -148,7 +148,7 @@ class Fields:
 
 
 def node_areas(points, quads):
-    """A quarter of the area of each quadrilateral around a point."""
+    """Area of each node: a quarter of each quadrilateral around a point."""
     points = numpy.pad(points, ((0, 0), (0, 3 - points.shape[1])))
     a, b, c, d = (points[corner] for corner in quads.T)
     area = numpy.linalg.norm(numpy.cross(c - a, d - b), axis=1) / 8
@@ -156,8 +156,8 @@ def node_areas(points, quads):
 
 
 def read_pieces(path, dimension=2):
-    """Points, quadrilaterals or hexahedra, and point data of a .vtu or of all of
-    a .pvtu."""
+    """Points, quadrilaterals or hexahedra, and point data of a .vtu file or of all
+    pieces of a .pvtu file."""
     kind = {2: "quad", 3: "hexahedron"}[dimension]
     mesh = read_whole(path)
     for block in mesh.cells:
@@ -205,7 +205,7 @@ def read_whole(path):
 
 
 def read_mesh(path):
-    """A .vtu file; None for that of a process without cells."""
+    """Reads a .vtu file; None for the file of a process without cells."""
     try:
         with open(path, "rb") as file:
             if re.search(rb'NumberOfCells="0+"', file.read(4096)):

@@ -25,12 +25,12 @@ def arguments(words):
     parser.add_argument("results", metavar="RESULTS_DIR", type=pathlib.Path,
                         help="output directory of crevasse or crevasse sweep")
     parser.add_argument("--output", type=pathlib.Path, metavar="DIR",
-                        help="where the figures go (RESULTS_DIR/figures)")
+                        help="directory of the figures (RESULTS_DIR/figures)")
     parser.add_argument("--format", nargs="+", default=["png"],
                         choices=["png", "pdf", "svg"], help="(png)")
-    of_run = parser.add_argument_group("of a run")
-    of_run.add_argument("--probe", help="probe of figures 2 and 3 (C if there is one "
-                        "of that name, else the first)")
+    of_run = parser.add_argument_group("options for a run")
+    of_run.add_argument("--probe", help="probe of figures 2 and 3 (C if it exists, "
+                        "else the first)")
     of_run.add_argument("--period", type=int, metavar="N", help="period of figures 2 "
                         "and 3, from 1 (the last complete one)")
     of_run.add_argument("--instant", type=float, metavar="t", help="time within the "
@@ -38,19 +38,20 @@ def arguments(words):
                         "(the largest stress intensity, else the largest stress; in "
                         "the paper's scenes a quarter of the period)")
     of_run.add_argument("--magnify", type=float, default=10, metavar="FACTOR",
-                        help="of the displacement in figures 4 to 6 (10)")
-    of_sweep = parser.add_argument_group("of a sweep")
+                        help="magnification of displacements in figures 4 to 6 (10)")
+    of_sweep = parser.add_argument_group("options for a sweep")
     of_sweep.add_argument("--x", choices=list(COSTS), default="seconds",
-                          help="the cost beside errors (seconds)")
-    of_sweep.add_argument("--quantity", help="a single figure: of the error of this "
-                          "quantity, as stress, or of this result, as K_I_largest")
-    of_sweep.add_argument("--along", metavar="NAME", help="the parameter along each "
-                          "line (the one with the most numeric values)")
+                          help="cost that errors are drawn against (seconds)")
+    of_sweep.add_argument("--quantity", help="draw one figure only: the error of this "
+                          "quantity, such as stress, or this result, such as "
+                          "K_I_largest")
+    of_sweep.add_argument("--along", metavar="NAME", help="parameter that varies along "
+                          "each line (the one with the most numeric values)")
     return parser.parse_args(words)
 
 
 def probe_drawings(run, options):
-    """(file name, figure) of figures 2 and 3."""
+    """Draws figures 2 and 3 as (file name, figure)."""
     if not run.probes:
         print("No probes in this run: figures 2 and 3 are left out.")
         return
@@ -65,7 +66,7 @@ def probe_drawings(run, options):
 
 
 def field_drawings(run, options):
-    """(file name, figure) of figures 1, 4, 5 and 6."""
+    """Draws figures 1, 4, 5 and 6 as (file name, figure)."""
     if not run.instants():
         print("No fields in this run: figures 1, 4, 5 and 6 are left out.")
         return

@@ -54,7 +54,7 @@ FINDINGS = {name: Finding(*rest) for name, *rest in (
 
 
 def split(column):
-    """The finding's name, and the number of the tip if there are several."""
+    """Splits a column into the finding's name and the number of the tip, if any."""
     name, tip = re.fullmatch(r"(.+?)(?:_(\d+))?", column).groups()
     return name, tip and int(tip)
 
@@ -64,7 +64,7 @@ def is_finding(column):
 
 
 def place(column):
-    """By which columns are sorted."""
+    """Key by which columns are sorted."""
     name, tip = split(column)
     return list(FINDINGS).index(name), tip or 0
 
@@ -97,7 +97,7 @@ def read(directory):
 
 
 def tips_of(summary):
-    """What is known of each crack tip, or of the crack fronts in space together."""
+    """Entries of the summary by crack tip, or for all crack fronts together."""
     tips = summary.get("crack_tips") or [
         tip for tip in (summary.get("crack_tip"), front(summary)) if tip]
     return [{**creep, **tip} for tip, creep in itertools.zip_longest(
@@ -105,7 +105,7 @@ def tips_of(summary):
 
 
 def front(summary):
-    """As a tip: without the places of the extremes."""
+    """Entries of a crack front as those of a tip, without places of extremes."""
     return {name: {end: at(extreme, ("value",)) for end, extreme in value.items()}
             if isinstance(value, dict) else value
             for name, value in summary.get("crack_front", {}).items()}

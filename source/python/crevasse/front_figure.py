@@ -33,7 +33,7 @@ def intensity(run):
 
 
 def draw_lines(axes, t, s, K, error, label):
-    """With a band of the estimated error."""
+    """Draws K along the front at some instants, with a band of the estimated error."""
     instants = {K.max(axis=1).argmax(): VERMILION, K.min(axis=1).argmin(): BLUE}
     for k, colour in instants.items():
         axes.fill_between(s, K[k] - error[k], K[k] + error[k], color=colour,

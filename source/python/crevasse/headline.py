@@ -23,7 +23,7 @@ MOST_TIPS = 6  # in the chart: each has a colour
 
 
 def numbers(run):
-    """The tip that they are of, in words, and its numbers; then those of the body."""
+    """First numbers of a report: the tip in words, its numbers, then the body's."""
     tips = findings.tips_of(run.summary)
     k = leading_tip(tips)
     found = list(numbers_of_tip(tips[k])) if tips else []
@@ -61,7 +61,7 @@ def place_of(tips, k):
 
 
 def numbers_of_tip(tip):
-    """K_I by both extremes, K_II and K_III by the one of larger magnitude."""
+    """Numbers of a tip: both extremes of K_I, the larger ones of K_II and K_III."""
     for mode in ("I", "II", "III"):
         extremes = tip.get(f"K_{mode}") or {}
         ends = [extremes.get(end) for end in ("largest", "smallest")]
@@ -88,7 +88,7 @@ def numbers_of_tip(tip):
 
 
 def lines(run):
-    """The same as text."""
+    """The first numbers of a report as lines of text."""
     place, found = numbers(run)
     if place:
         yield place
@@ -98,14 +98,14 @@ def lines(run):
 
 
 def tips_with_two_lips(run):
-    """{number: table}"""
+    """Tables {number: table} of tips between two lips."""
     numbers = {int(name[len("crack_tip_"):-len(".csv")]): table
                for name, table in run.tables.items() if name.startswith("crack_tip_")}
     return dict(sorted(numbers.items()))
 
 
 def along_front(run, column):
-    """The instants, and the largest value along the fronts at each."""
+    """Instants, and at each the largest value along the fronts."""
     front = run.tables["crack_front.csv"]
     t, rows = numpy.unique(front["t"], return_inverse=True)
     largest = numpy.full(len(t), -numpy.inf)
@@ -114,8 +114,8 @@ def along_front(run, column):
 
 
 def curves_of_intensity(run):
-    """The instants, and by name the stress intensities that a chart shows; None
-    without crack tip. Of several tips, their equivalent intensities."""
+    """Instants, and by name the stress intensities that a chart shows (of several tips
+    their equivalent intensities); None without crack tip."""
     tips = tips_with_two_lips(run)
     if "crack_tip.csv" in run.tables:
         table = run.tables["crack_tip.csv"]
@@ -132,7 +132,7 @@ def curves_of_intensity(run):
 
 
 def loading_of_crack(run):
-    """The instants, and what tells which of them loads a crack tip most: K_I, the
+    """Instants, and the quantity whose maximum loads a crack tip most: K_I, the
     equivalent intensity, or with three modes the energy release rate. None without
     crack tip."""
     tips = list(tips_with_two_lips(run).values())
@@ -148,7 +148,7 @@ def loading_of_crack(run):
 
 
 def chart(run):
-    """K, or else C(t), over the last period; None if the run has neither."""
+    """Chart of K, or else C(t), over the last period; None if the run has neither."""
     found = curves_of_intensity(run)
     title, axis, log = "Stress intensity", "K (stress × √length)", False
     if found and len(found[1]) > 1 and "K_I" not in found[1]:

@@ -15,7 +15,7 @@ ROUNDING = 1e-9  # values below this part of the largest of their kind are noise
 
 
 def probe_charts(run, name):
-    """Displacement, stress and, on a lip, opening and pressure of a probe."""
+    """Charts of displacement, stress and, on a lip, opening and pressure of a probe."""
     table = run.tables[f"probe_{name}.csv"]
     for kind, prefix, axis in (("displacement", "u_", "u (length)"),
                                ("stress", "s_", "s (stress)"),
@@ -29,19 +29,19 @@ def probe_charts(run, name):
 
 
 def largest(table, kind):
-    """Of all displacements, to which openings belong, or of all stresses."""
+    """Largest value of all displacements (and openings), or of all stresses."""
     first = "u_" if kind in ("displacement", "opening") else "s_"
     return max(abs(values).max() for column, values in table.items()
                if column.startswith(first))
 
 
 def vanishes(table, column):
-    """s_33 of plane stress says nothing."""
+    """Whether a column is zero everywhere, such as s_33 in plane stress."""
     return column == "s_33" and not table[column].any()
 
 
 def lip_charts(run):
-    """Force on the lip and how much of it is closed."""
+    """Charts of the force on the lip and of how much of it is closed."""
     table = run.tables["contact.csv"]
     presses = table["largest_pressure"].max() > BEARS * largest_stress(run)
     yield chart(run, table, ["force"],
@@ -63,7 +63,7 @@ def stress_intensity_charts(run):
 
 
 def mixed_mode_charts(run, name):
-    """K_I and K_II of a tip with two lips, and where it would grow."""
+    """Charts of K_I, K_II and the growth direction of a tip with two lips."""
     table = run.tables[name]
     kinds = ["K_I", "K_II", "equivalent_intensity"]
     largest_kind = max(abs(table[column]).max() for column in kinds)
@@ -94,8 +94,8 @@ def spans_decades(values):
 
 
 def chart(run, table, columns, axis, title, noise=0, log=False):
-    """With the whole run, thinned where it is long, and its last period. What is
-    noise is drawn as zero. The axis is logarithmic if that is wanted and needed."""
+    """Chart with the whole run, thinned where it is long, and its last period. Noise is
+    drawn as zero. The axis is logarithmic if that is wanted and needed."""
     t = table["t"]
     values = [numpy.where(abs(table[column]) > noise, table[column], 0)
               for column in columns]
@@ -117,12 +117,12 @@ def view(t, values, rows):
 
 
 def rounded(values, digits=6):
-    """With the digits that can be seen."""
+    """A number with the digits that can be seen."""
     return [float(f"{value:.{digits}g}") for value in values]
 
 
 def thin_rows(values):
-    """Rows that show the same: of each of many stretches the extremes."""
+    """Rows that draw the same curve: the extremes of each of many stretches."""
     rows = len(values[0])
     if rows <= MOST_ROWS:
         return numpy.arange(rows)
@@ -137,7 +137,7 @@ def thin_rows(values):
 
 
 def symbol(column):
-    """u_1 as it is written: with indices below."""
+    """Symbol of a column, such as u_1, with indices below."""
     words = {"K_I_stress": "K_I by the fit to the stress",
              "K_I_singular": "K_I of the singular function",
              "equivalent_intensity": "equivalent K",

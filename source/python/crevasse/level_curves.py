@@ -12,7 +12,7 @@ from crevasse.plotting import (HALO, INK, deformed, draw_outline, finish_body,
 
 
 def even_levels(low, high, count, outside=False):
-    """Some equally spaced round levels between two values, or around them."""
+    """Equally spaced round levels between two values, or around them."""
     step = round_up((high - low) / count)
     first, last = numpy.floor([low / step + 1e-9, high / step + 1e-9])
     if outside:
@@ -23,7 +23,7 @@ def even_levels(low, high, count, outside=False):
 
 
 def range_without_peaks(values, areas, share):
-    """Values between which a field is on all of the body but that share at either
+    """Values between which a field lies on all of the body except that share at either
     end: at a crack tip the stress has no bound."""
     order = values.argsort()
     part = areas[order].cumsum()
@@ -32,7 +32,7 @@ def range_without_peaks(values, areas, share):
 
 
 def choose_levels(values, areas, scale):
-    """None where the values differ by rounding alone, measured by the scale."""
+    """Levels of a field; None if its values differ by rounding of the scale only."""
     least, largest = values.min(), values.max()
     if largest - least <= 1e-6 * scale:
         return numpy.array([])
@@ -44,8 +44,8 @@ def choose_levels(values, areas, scale):
 
 
 def level_colours(levels):
-    """Pale colours for the bands between levels and beyond them: blue where
-    negative, orange where positive, white about zero."""
+    """Pale colours for the bands between levels and beyond them: blue where negative,
+    orange where positive, white about zero."""
     bounds = numpy.concatenate([[-numpy.inf], levels, [numpy.inf]])
     middle = (bounds[1:] + bounds[:-1]) / 2
     middle[0] = numpy.nextafter(levels[0], -numpy.inf)  # below 0 if that is 0
@@ -59,8 +59,8 @@ def level_colours(levels):
 
 
 def draw_level_curves(axes, fields, values, scale, magnify, quantity):
-    """Labelled level curves over a pale ground on the deformed body, and a bar
-    that names all levels."""
+    """Draws labelled level curves over pale bands on the deformed body, and a bar that
+    names all levels."""
     triangles, carry = fields.triangulation()
     place = deformed(fields, magnify)
     body = Triangulation(carry(place[:, 0]), carry(place[:, 1]), triangles)
@@ -87,7 +87,7 @@ def draw_level_curves(axes, fields, values, scale, magnify, quantity):
 
 
 def label_levels(axes, lines):
-    """A label on each line where there is room for it."""
+    """Puts a label on each line where there is room for it."""
     labels = lines.clabel(fmt=signed, fontsize=7.5, inline=False, colors=INK)
     axes.figure.canvas.draw()
     taken = []

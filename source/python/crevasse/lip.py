@@ -9,8 +9,8 @@ BEARS = 1e-6  # pressures below this part of the largest stress are noise
 
 
 def last_period(t, period):
-    """Its beginning, one period before the end: a run that was stopped may have
-    ended within a period. None where that is nearly the whole run."""
+    """Begin of the last period, one period before the end: a run that was stopped may
+    have ended within a period. None where that is nearly the whole run."""
     if t[-1] - t[0] < 1.5 * period:
         return None
     return t[-1] - period
@@ -40,7 +40,7 @@ def lip_intervals(run):
 
 
 def largest_stress(run):
-    """Of the run: much smaller pressures are noise."""
+    """Largest stress of the run: much smaller pressures are noise."""
     sizes = [run.summary_number("extremes", "stress") or 0,
              abs(run.tables["contact.csv"]["largest_pressure"]).max()]
     for name, table in run.tables.items():

@@ -46,11 +46,10 @@ def words(run, what):
 
 
 def pictures(run):
-    """Pictures, and sentences about those that are missing."""
+    """Pictures of a run, and sentences about missing ones."""
     if run.summary.get("periods") == 0:
-        return [], ["No period was computed, so that there is nothing to draw: "
-                    "[Periodic state] Maximum periods = "
-                    f"{run.parameter('Periodic state/Maximum periods')}."]
+        return [], ["There is no computed period to draw: [Periodic state] Maximum "
+                    f"periods = {run.parameter('Periodic state/Maximum periods')}."]
     missing = []
     drawn = {name: encode(run, name, figure, t=t) for name, figure, t
              in field_pictures(run, missing)}
@@ -61,7 +60,7 @@ def pictures(run):
 
 
 def unless_damaged(run, use):
-    """What is made of the stored fields; None, and a note, if they cannot be read."""
+    """Result of a function of stored fields; None, and a note, if unreadable."""
     try:
         return use(run)
     except ResultsError as error:
@@ -84,8 +83,8 @@ def encode(run, name, figure, **where):
 def probe_pictures(run, missing):
     histories = words(run, "histories")
     if not run.probes:
-        missing.append(f"{histories} are missing: this run has no probe that can be "
-                       f"read; {probe_advice(run)} gives them.")
+        missing.append(f"{histories} are missing: this run has no readable probe; "
+                       f"{probe_advice(run)} gives them.")
         return {}
     probe = probe_of_paper(run)
     try:
@@ -116,25 +115,25 @@ def on_lip(run, probe):
 
 
 def probe_of_paper(run):
-    """C as in the paper if it is on a lip, else the first that is."""
+    """Probe of figures 2 and 3: C, as in the paper, or the first one on a lip."""
     names = sorted(run.probes, key=lambda name: (not on_lip(run, name),
                                                  name != "C"))
     return names[0]
 
 
 def probe_advice(run):
-    """A probe at the mouth of the crack."""
+    """Advice to set a probe at the mouth of the crack."""
     mouth = mouth_of_crack(run.parameters)
     return "[Output] Probes " + ("= automatic" if mouth else "with a point of the lip")
 
 
 def field_pictures(run, missing):
-    """(name, figure, t)"""
+    """Pictures (name, figure, t) of the fields."""
     what = words(run, "fields")
     instants = unless_damaged(run, Run.instants)
     if run.dimension == 3:
         missing.append(f"{what} are for plane bodies." + (
-            " [Output] Fields = vtu lets this report show the fields of this one."
+            " [Output] Fields = vtu lets this report show the fields of this body."
             if instants == [] else ""))
         return []
     if instants == []:

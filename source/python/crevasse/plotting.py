@@ -40,13 +40,13 @@ pyplot.rcParams.update({
 
 
 def round_number(value):
-    """The largest of 1, 2, 5, 10, ... not above the value."""
+    """The largest of 1, 2, 5, 10, ... that does not exceed the value."""
     power = 10.0 ** numpy.floor(numpy.log10(value))
     return max(m * power for m in (1, 2, 5) if m * power <= value * (1 + 1e-9))
 
 
 def round_up(value):
-    """The smallest of 1, 2, 2.5, 5, 10, ... not below the value."""
+    """The smallest of 1, 2, 2.5, 5, 10, ... that is not below the value."""
     power = 10.0 ** numpy.floor(numpy.log10(value))
     return min(m * power for m in (1, 2, 2.5, 5, 10)
                if m * power >= value * (1 - 1e-9))
@@ -61,7 +61,7 @@ def magnification(points, displacements, part):
 
 
 def ladder(low, high, mantissas=(1, 2, 5)):
-    """The numbers m times 10^k between two positive ones."""
+    """Numbers m times 10^k between two positive numbers."""
     powers = range(int(numpy.floor(numpy.log10(low))),
                    int(numpy.ceil(numpy.log10(high))) + 1)
     return [m * 10.0 ** k for k in powers for m in mantissas
@@ -69,7 +69,7 @@ def ladder(low, high, mantissas=(1, 2, 5)):
 
 
 def line_style(k):
-    """Of the k-th of several lines with points."""
+    """Style of the k-th of several lines with points."""
     return {"color": (BLUE, VERMILION, GREEN, INK, GREY)[k % 5],
             "marker": MARKERS[k % len(MARKERS)], "markersize": 4.5}
 
@@ -78,7 +78,7 @@ MOST_IN_LEGEND = 3  # lines, within the axes
 
 
 def add_legend(axes):
-    """Beside the axes where it would hide them."""
+    """Adds a legend, beside the axes where it would hide lines."""
     n = len(axes.get_legend_handles_labels()[1])
     if n > MOST_IN_LEGEND:
         axes.legend(loc="upper left", bbox_to_anchor=(1, 1), fontsize=7,
@@ -88,7 +88,7 @@ def add_legend(axes):
 
 
 def name_numbers(axes):
-    """Of a logarithmic axis to the right, without powers of ten: 1, 2, 5, 10, ..."""
+    """Labels a logarithmic axis on the right without powers of ten: 1, 2, 5, 10, ..."""
     low, high = axes.get_xlim()
     mantissas = ((1,) if high > 1e4 * low else
                  (1, 2, 5) if high > 10 * low else (1, 1.5, 2, 3, 4, 5, 7))
@@ -98,7 +98,7 @@ def name_numbers(axes):
 
 
 def signed(value, digits=6):
-    """With a minus sign as typesetters know it."""
+    """A number as text, with a typographic minus sign."""
     text = f"{value:.{digits}g}"
     if 1 <= abs(value) < 1e7:
         text = f"{float(text):.10g}"  # without a power of ten
@@ -110,7 +110,7 @@ def deformed(fields, magnify):
 
 
 def draw_outline(axes, fields, magnify):
-    """The body as it is at rest, dashed, and deformed."""
+    """Draws the body at rest, dashed, and deformed."""
     edges = fields.outline()
     axes.add_collection(LineCollection(fields.points[edges], colors=GREY,
                                        linewidths=0.7, linestyles=(0, (4, 3))))
@@ -120,7 +120,7 @@ def draw_outline(axes, fields, magnify):
 
 
 def finish_body(axes, *places):
-    """Limits that hold all those points, equal scales, no frame."""
+    """Sets limits that hold all those points, equal scales, and no frame."""
     places = numpy.concatenate([place.reshape(-1, 2) for place in places])
     margin = 0.01 * numpy.ptp(places, axis=0).max()
     low, high = places.min(axis=0) - margin, places.max(axis=0) + margin
@@ -129,7 +129,7 @@ def finish_body(axes, *places):
 
 
 def thin_out(points, most):
-    """Nodes, about so many, no two of which are close to each other."""
+    """About so many nodes, no two of which are close to each other."""
     if len(points) <= most:
         return numpy.arange(len(points))
     apart = 1.05 * numpy.sqrt(numpy.ptp(points, axis=0).prod() / most)
@@ -147,9 +147,9 @@ def thin_out(points, most):
 
 
 def draw_crosses(axes, place, values, directions, length):
-    """Bars of that length per unit stress, the compressive ones thicker;
-    returns the ends of all bars. A bar shorter than thick would seem to point
-    the other way and is left out."""
+    """Draws bars of that length per unit stress, compressive ones thicker; returns the
+    ends of all bars. A bar that is shorter than thick would seem to point the other way
+    and is left out."""
     reach = values[..., None] * directions * length / 2
     bars = numpy.stack([place - reach, place + reach], axis=2).reshape(-1, 2, 2)
     reach = values.ravel() * length / numpy.ptp(place.reshape(-1, 2), 0).max()
@@ -159,7 +159,7 @@ def draw_crosses(axes, place, values, directions, length):
 
 
 def write_png(figure, target):
-    """To a path or a stream, with 128 colours: a third of the size."""
+    """Writes a figure to a path or a stream, with 128 colours: a third of the size."""
     buffer = io.BytesIO()
     figure.savefig(buffer, format="png")
     image = Image.open(buffer).convert("RGB")
@@ -169,7 +169,7 @@ def write_png(figure, target):
 
 
 def save(figure, stem, directory, formats):
-    """Writes the figure in every format wanted."""
+    """Writes the figure in all chosen formats."""
     for extension in formats:
         path = directory / f"{stem}.{extension}"
         if extension == "png":

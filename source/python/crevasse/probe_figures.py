@@ -14,14 +14,14 @@ COMPONENTS = ("11", "22", "12")
 
 
 def largest(history, prefix):
-    """The largest component of displacement, "u_", or of stress, "s_"."""
+    """The largest component of displacement, "u_", or of stress, "s_", at a probe."""
     return max((abs(values).max() for name, values in history.items()
                 if name.startswith(prefix)), default=0)
 
 
 def closed_intervals(history):
-    """[b, c] with the lip closed at the probe. Between samples the end is where
-    the opening, continued from the open side, vanishes."""
+    """Intervals [b, c] in which the lip is closed at the probe. Between samples the end
+    is where the opening, continued from the open side, vanishes."""
     t, opening = history["t"], history["opening"]
     pressure = history["pressure"]
     closed = opening <= 1e-9 * largest(history, "u_")
@@ -42,7 +42,7 @@ def closed_intervals(history):
 
 
 def crossing(t, opening, far, near, closed):
-    """Where the line through two open samples vanishes, but not beyond the
+    """Instant at which the line through two open samples vanishes, but not beyond the
     closed sample."""
     slope = opening[near] - opening[far]
     if slope >= 0:
@@ -65,7 +65,7 @@ def lip_states(history, period):
 
 
 def time_axis(axes, period):
-    """Ticks at quarters of the period, the intervals of contact shaded."""
+    """Draws ticks at quarters of the period, and shades the intervals of contact."""
     axes.set_xlim(period.begin, period.end)
     axes.xaxis.set_major_locator(MultipleLocator((period.end - period.begin) / 4))
     axes.xaxis.set_major_formatter(FuncFormatter(lambda t, _: f"{t:g}"))
@@ -79,7 +79,7 @@ def shade_closed(axes, states):
 
 
 def label_states(axes, states, period):
-    """Writes above each interval what it is."""
+    """Writes above each interval whether the lip is open or closed."""
     for begin, end, closed in states:
         wide = end - begin > 0.1 * (period.end - period.begin)
         axes.annotate("closed" if closed else "open",
@@ -90,7 +90,7 @@ def label_states(axes, states, period):
 
 
 def stress_history(run, probe, wanted=None):
-    """2: the stress at the probe over a period."""
+    """Figure 2: the stress at the probe over a period."""
     history, period = run.history(probe, wanted)
     figure, axes = pyplot.subplots(figsize=(6.4, 3.8))
     for name, colour, style in zip(COMPONENTS, (BLUE, VERMILION, GREEN),
@@ -109,7 +109,7 @@ def stress_history(run, probe, wanted=None):
 
 
 def letters_in_words(count, states):
-    """What the letters of figure 3 stand for."""
+    """The meanings of the letters of figure 3."""
     ends = [f"{letter}: the lip {'closes' if after[2] else 'opens'}"
             for letter, after in zip(string.ascii_lowercase[1:], states[1:])]
     last = string.ascii_lowercase[count - 1]
@@ -118,7 +118,7 @@ def letters_in_words(count, states):
 
 
 def opening_history(run, probe, wanted=None):
-    """3: the opening at the probe over a period; None away from the lip."""
+    """Figure 3: the opening at the probe over a period; None away from the lip."""
     history, period = run.history(probe, wanted)
     if "opening" not in history:
         return None

@@ -37,8 +37,8 @@ COSTS = {"unknowns": ("unknowns",), "periods": ("periods",),
 
 
 class Call:
-    """The program on one command line, under way as long as it has no status: a
-    number below zero is minus that of the signal that ended it."""
+    """A run of the program with one command line, under way as long as it has no
+    status: a negative status is minus the number of the signal that ended it."""
 
     def __init__(self):
         self.files = [tempfile.TemporaryFile() for _ in range(2)]
@@ -63,7 +63,7 @@ class Call:
 
 
 class Server:
-    """Ends with this process, and with it what it runs."""
+    """The server that forks the runs. It ends with this process, and so do its runs."""
 
     def __init__(self, program, environment=None):
         # Of this process; it knows no other environment.
@@ -82,8 +82,8 @@ class Server:
         self.calls, self.n_calls, self.rest = {}, 0, b""
 
     def start(self, words, **options):
-        """A run with these words; options are "directory", "seconds", "unset".
-        """
+        """Starts a run with these words; options are "directory", "seconds",
+        "unset"."""
         call = Call()
         self.n_calls += 1
         self.calls[self.n_calls] = call
@@ -96,7 +96,7 @@ class Server:
         return call
 
     def wait(self, *calls, seconds=None):
-        """Until one of them has ended, or for some seconds."""
+        """Waits until one of the calls has ended, or for some seconds."""
         while all(call.status is None for call in calls):
             if not select.select([self.answers], [], [], seconds)[0]:
                 return
@@ -115,7 +115,7 @@ class Server:
 
 
 class Program:
-    """Starts the program as often as is wanted. Requests to stop are handed on."""
+    """Starts the program as often as necessary, and hands requests to stop on to it."""
 
     def __init__(self, stop, environment=None):
         self.stop = stop
@@ -129,7 +129,7 @@ class Program:
         return self.server.start(words, unset=self.of_mpirun)
 
     def finish(self, *calls, show_progress=lambda: None):
-        """The first of them that ends; all end if a stop is asked for."""
+        """The first of the calls that ends; all end if a stop is requested."""
         while True:
             ended = [call for call in calls if call.status is not None]
             if any(call.status == 5 for call in ended) and not self.stop.asked():
@@ -149,7 +149,7 @@ class Program:
         return ended[0]
 
     def run_parallel(self, words):
-        """On as many processes as mpirun has started of this one."""
+        """Runs the program on as many processes as mpirun has started of this one."""
         self.stop.check()
         call = Call()
         process = subprocess.Popen(
@@ -180,11 +180,11 @@ class Program:
             self.start_parameters(scene, assignments(settings)))
 
     def compute(self, *arguments):
-        """What became of a run, by the arguments of begin()."""
+        """Result of a run, with the arguments of begin()."""
         return self.outcome(self.finish(self.begin(*arguments)))
 
     def begin(self, scene, texts, folder, *words):
-        """A run whose results replace those in the folder."""
+        """Starts a run whose results replace those in the folder."""
         # A later --set replaces an earlier one; fields of many runs fill disks.
         words = (scene, *options(["Output/Fields=none", *texts]),
                  "--output", folder, "--force", "--quiet", *words)
@@ -221,8 +221,8 @@ class Outcome:
 
 
 def find_program():
-    """Of the environment, which the program sets for its scripts; or beside this
-    package in a build or an installation; or of PATH."""
+    """Path of the program: from the environment, which the program sets for its
+    scripts; beside this package in a build or an installation; or from PATH."""
     if named := os.environ.get("CREVASSE_PROGRAM"):
         return named
     for place in ("../../crevasse", "../../../../bin/crevasse"):
@@ -238,14 +238,14 @@ def find_program():
 
 
 def mpirun(processes):
-    """The words before those of a run on several processes."""
+    """The words before those of the program for a run on several processes."""
     return [] if processes == 1 else [
         "mpirun", "--oversubscribe", "--bind-to", "none", "--mca",
         "mpi_yield_when_idle", "1", "-np", str(processes)]
 
 
 def assignments(settings):
-    """Those of {"Section/Name": value}."""
+    """Arguments --set for {"Section/Name": value}."""
     return [f"{name}={value}" for name, value in settings.items()]
 
 
@@ -254,7 +254,7 @@ def options(texts):
 
 
 def message_of(call):
-    """The last word of a run; after it there is that of mpirun."""
+    """The last message of a run, before those of mpirun."""
     message = WARNING.sub("", call.error).split("\n" + 20 * "-")[0].strip()
     if not message and call.status < 0:
         return f"ended by {signal.Signals(-call.status).name}"
@@ -262,8 +262,8 @@ def message_of(call):
 
 
 def warnings_in(folder):
-    """Those of a run, as its log has them. That its fields are not written is not the
-    user's wish."""
+    """Warnings of a run from its log, except that [Output] Field times is not used: the
+    package itself sets Fields = none."""
     try:
         log = (folder / "log.txt").read_text(errors="replace")
     except OSError:
@@ -273,11 +273,11 @@ def warnings_in(folder):
 
 
 def without_numbers(text):
-    """By which warnings of one kind are known."""
+    """A warning without its numbers, by which warnings of one kind are known."""
     return re.sub(r"\d+(\.\d*)?(e[-+]?\d+)?", "#", text)
 
 
 def costs_in(summary):
-    """By their names in tables; what a summary lacks is left out."""
+    """Costs in a summary by their names in tables; missing ones are left out."""
     return {name: value for name, path in COSTS.items()
             if (value := at(summary, path)) is not None}

@@ -22,7 +22,7 @@ SAME_INSTANT = 1e-9  # of the period
 
 
 def kind(table):
-    """crack_tip_N is the table of each tip between two lips."""
+    """The kind of a table: crack_tip_N for the table of each tip between two lips."""
     return re.sub(r"^(crack_tip|creep_integral)_[1-9]\d*$", r"\1_N", table)
 
 
@@ -31,7 +31,7 @@ def has_two_lips(scene):
 
 
 def has_lip(scene):
-    """Contact is on the lip of a built-in crack, or on the boundaries named."""
+    """Whether a scene has a lip: of a built-in crack, or on named boundaries."""
     if has_two_lips(scene):
         return True
     contact = scene["Boundary/Contact"]
@@ -69,10 +69,10 @@ def common_instants(one, other, period):
     fewer = min(len(one), len(other))
     objection = ""
     if not rows or one[rows[-1][0]] <= tolerance:
-        objection = "no instant in common with the reference but t = 0"
+        objection = "only the instant t = 0 in common with the reference"
     # One of four, or ten a period.
     elif 4 * len(rows) < fewer and len(rows) < 10 * one[rows[-1][0]] / period:
         objection = (f"only {len(rows)} of {fewer} instants in common with the "
-                     "reference: take multiples of the number of steps, or name "
+                     "reference: use multiples of the number of steps, or name "
                      "instants in [Time integration] Steps")
     return rows, objection

@@ -24,8 +24,8 @@ def arguments(words):
 
 
 def page_of(directory):
-    """The page, its first numbers as lines, and on the command line what is to be
-    said about the results, and what is damaged."""
+    """The page, its first numbers as lines, and notes for the command line about the
+    results and about damaged files."""
     if not directory.is_dir():
         raise ResultsError(f"{directory}: no such directory. Give the output "
                            "directory of crevasse or of crevasse sweep.")
@@ -34,23 +34,23 @@ def page_of(directory):
     if (directory / "used.prm").is_file():
         return run_page.page(directory)
     if (directory / "sweep.log").is_file():
-        raise ResultsError(f"{directory}: a sweep, of which no point is done yet "
-                           "(there is no sweep.csv).")
+        raise ResultsError(f"{directory}: no point of this sweep is done yet (there is "
+                           "no sweep.csv).")
     if (directory / "summary.json").is_file():
-        raise ResultsError(f"{directory}: used.prm is missing, without which "
-                           "nothing is known of the scene.")
+        raise ResultsError(f"{directory}: used.prm, which describes the scene, is "
+                           "missing.")
     if (directory / "advice.json").is_file():
-        raise ResultsError(f"{directory}: of crevasse advise, which tells in advice.md "
-                           "what it found. Reports are of the runs in "
-                           f"{directory}/runs, one each.")
+        raise ResultsError(f"{directory}: this is an output directory of crevasse "
+                           "advise; read its advice.md, or give one of the runs in "
+                           f"{directory}/runs.")
     if not any(directory.iterdir()):
         raise ResultsError(f"{directory}: the directory is empty.")
-    raise ResultsError(f"{directory}: not the output directory of a run (there is "
-                       "no used.prm) nor of a sweep (no sweep.csv).")
+    raise ResultsError(f"{directory}: this is not the output directory of a run (there "
+                       "is no used.prm) nor of a sweep (no sweep.csv).")
 
 
 def write(path, text):
-    """Names of directories need not be UTF-8."""
+    """Writes the page; names of directories need not be UTF-8."""
     try:
         path.write_bytes(text.encode("utf-8", errors="replace"))
     except OSError as error:

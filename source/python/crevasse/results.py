@@ -17,7 +17,7 @@ class ResultsError(Exception):
 
 
 def number(text):
-    """None if the text is no number."""
+    """The number that a text is; None if it is none."""
     try:
         return float(text)
     except ValueError:
@@ -51,14 +51,14 @@ def normal_form(text):
 
 
 def at(value, path):
-    """What dictionaries within each other have at the end of a path; None if nothing."""
+    """Value of nested dictionaries at the end of a path; None if there is none."""
     for key in path:
         value = value.get(key) if isinstance(value, dict) else None
     return value
 
 
 def read_parameters(path):
-    """See below. Titles and names of files may be of any encoding."""
+    """Reads a parameter file, whose titles and file names may have any encoding."""
     try:
         return parse_parameters(path.read_text(encoding="utf-8", errors="replace"),
                                 path)
@@ -100,7 +100,7 @@ def named_points(text):
 
 
 def probes_of(parameters):
-    """{name: point}, also of the probe that is automatic."""
+    """Probes {name: point} of a scene, also the automatic one."""
     text = parameters.get("Output/Probes", "")
     mouth = mouth_of_crack(parameters)
     if text == "automatic":
@@ -109,7 +109,7 @@ def probes_of(parameters):
 
 
 def mouth_of_crack(parameters):
-    """That of a built-in crack; None without one. As in parameters/automatic.cc."""
+    """Mouth of a built-in crack, as in parameters/automatic.cc; None without one."""
     x = number({"edge crack": parameters.get("Geometry/Width", ""), "centre crack": "0"
                 }.get(parameters.get("Geometry/Shape"), ""))
     rest = (0., 0.) if parameters.get("Dimension") == "3" else (0.,)

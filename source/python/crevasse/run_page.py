@@ -18,7 +18,7 @@ from crevasse.run_reader import Run
 
 
 def page(directory):
-    """The text, its headline, what to say of the run, and what is damaged."""
+    """The text of the page, its headline, notes about the run, and damaged files."""
     run = Run(directory)
     ending = ending_of(run)
     fields = paper.unless_damaged(run, field_view.pack)
@@ -51,14 +51,14 @@ def page(directory):
 
 
 def notes_on(run, ending):
-    """What is said of a run that is not simply done, and what to do."""
+    """Notes about a run that is not simply done, and what to do."""
     if ending.kind != "good":
         yield f"{ending.heading}." + (f" {checkpoint(run)}" if ending.kind == "bad"
                                       and not run.finished else "")
 
 
 def time_of(run):
-    """When the newest of the files that tell the end was written."""
+    """Time of the newest file that shows the end of the run."""
     times = []
     for name in ("used.prm", "log.txt", "summary.json"):
         with contextlib.suppress(FileNotFoundError):  # a run that is resumed
@@ -67,13 +67,13 @@ def time_of(run):
 
 
 def changed_parameters(run):
-    """(name, value, default) of those that are not the default."""
+    """Rows (name, value, default) of non-default parameters."""
     return [(name, run.parameters[name], default)
             for name, default in run.defaults.items()]
 
 
 def history_groups(run):
-    """Charts over time: of the crack tips, the lip, each probe, and the loads."""
+    """Charts over time of the crack tips, the lip, each probe, and the loads."""
     groups = tip_groups(run)
     if "contact.csv" in run.tables:
         groups.append({"heading": "The lip as a whole",
@@ -110,7 +110,7 @@ def tip_groups(run):
 
 
 def relaxation_chart(run):
-    """The paper's Table 1: iterations of SOR by relaxation factor."""
+    """Chart of the paper's Table 1: iterations of SOR by relaxation factor."""
     table = run.tables.get("relaxation.csv")
     if table is None:
         return None
@@ -132,8 +132,8 @@ def is_thinned(charts):
 
 
 def convergence_chart(run):
-    """Change and estimated error of the stress by period; None if there is one
-    period only."""
+    """Chart of the change and the estimated error of the stress by period; None if
+    there is one period only."""
     table = run.tables.get("periods.csv")
     if table is None or len(table["period"]) < 2:
         return None
@@ -152,15 +152,15 @@ def convergence_chart(run):
 
 
 def points(label, colour, xs, ys):
-    """A line through those that a logarithmic axis can show."""
+    """A line through the points that a logarithmic axis can show."""
     return {"label": label, "colour": colour,
             "points": [[float(x), float(y)] for x, y in zip(xs, ys)
                        if math.isfinite(y) and y > 0]}
 
 
 def costs(run):
-    """(what, seconds, calls, part of the whole), the most first; without what
-    others measure they add up to the whole."""
+    """Rows (what, seconds, calls, part of the whole), the largest first; the seconds
+    are exclusive, so that they add up to the whole."""
     total = run.summary.get("seconds", {}).get("total") or 0
     calls = run.summary.get("calls", {})
     return [(name, part * total, calls.get(name), part)

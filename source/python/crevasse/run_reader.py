@@ -95,14 +95,14 @@ class Run:
 
     @property
     def material_names(self):
-        """{material id: its physical name in the mesh file}, of those that have one."""
+        """Physical names {material id: name} in the mesh file, of ids that have one."""
         text = MATERIALS.search(self.log)
         return {int(id): name for id, name
                 in MATERIAL.findall(text[1] if text else "")}
 
     def read_summary(self):
-        """Whether there is one, and what it or else the log says. A run that is resumed
-        removes it at any moment."""
+        """Reads the summary, or else what the log has of it, and whether there is one.
+        A run that is resumed removes it at any moment."""
         path = self.directory / "summary.json"
         summary, troubles = summary_file.read(path)
         for trouble in troubles or ():
@@ -110,7 +110,7 @@ class Run:
         return troubles is not None, summary or self.summary_of_log()
 
     def summary_of_log(self):
-        """What the log says of a run without summary: effects and sizes."""
+        """Effects and sizes of a run without summary, from its log."""
         summary = {"effects": {name: {"on": state == "on", "why": why} for
                                name, state, why in EFFECT.findall(self.log)}}
         if sizes := MESH.search(self.log):
@@ -124,9 +124,8 @@ class Run:
         return 3 if self.parameter("Dimension") == "3" else 2
 
     def read_table(self, path):
-        """Into the tables if it is whole. The last row of a run that is going
-        on may be half written and is left out then; one that is resumed replaces its
-        tables."""
+        """Reads a table if it is whole. The last row of a run in progress may be half
+        written and is left out then; one that is resumed replaces its tables."""
         try:
             text = path.read_text(encoding="utf-8")
             header, *rows = list(csv.reader(io.StringIO(text))) or [[]]
@@ -153,7 +152,7 @@ class Run:
             self.tables[path.name] = table
 
     def trouble_with(self, name, table):
-        """What is wrong with columns or numbers; None if nothing is."""
+        """The mistake in columns or numbers; None if there is none."""
         for column in columns_of(name):
             if column not in table:
                 return f"has no column {column}"
@@ -173,7 +172,7 @@ class Run:
         return None
 
     def require_tables(self):
-        """Those that a finished run must have written."""
+        """Notes tables that a finished run must have written and has not."""
         if self.summary.get("periods") == 0:
             return
         names = ["periods.csv"]
@@ -190,8 +189,8 @@ class Run:
                 self.note(self.directory / name, "is missing")
 
     def compare_lengths(self):
-        """The tables of a finished run have a row for each step. What is shorter
-        would look as if nothing happened later."""
+        """Notes tables of a finished run that are shorter than others: each has a row
+        for each step, and a shorter one would look as if nothing happened later."""
         lengths = {name: len(table["t"]) for name, table in self.tables.items()
                    if "t" in table and name.startswith(ROW_A_STEP)}
         longest = max(lengths.values(), default=0)
@@ -213,7 +212,7 @@ class Run:
         complete = int((t[-1] - t[0] + slack) // self.period)
         if complete < 1:
             raise ResultsError(f"{self.directory}/{name}: ends at t = {t[-1]:g}, "
-                               f"before the first period ({self.period:g}) is over.")
+                               f"before the end of the first period ({self.period:g}).")
         period = wanted or complete
         if not 1 <= period <= complete:
             raise ResultsError(f"{self.directory}/{name}: period {period} is not "
@@ -225,7 +224,7 @@ class Run:
                 Period(period, begin, begin + self.period))
 
     def instants(self):
-        """(t, file) of every stored field; empty where none were wanted."""
+        """Pairs (t, file) of all stored fields; empty without fields."""
         path = self.directory / "solution.pvd"
         try:
             return [(float(record.attrib["timestep"]),
@@ -257,6 +256,6 @@ class Run:
 
 
 def columns_of(name):
-    """Those that a table of this name must have."""
+    """The columns that a table of this name must have."""
     return next(columns for begin, columns in COLUMNS.items()
                 if name.startswith(begin))

@@ -52,7 +52,7 @@ class Results(Run):
         return f"<crevasse.Results of {self.directory}>"
 
     def table(self, name):
-        """That of a file, as "load_work.csv"."""
+        """The table of a file, such as "load_work.csv"."""
         if name not in self.tables:
             damages = [text for text in self.damages if text.startswith(name + ":")]
             raise ResultsError(" ".join(
@@ -75,8 +75,8 @@ class Results(Run):
         return self.numbered_table("creep_integral", number)
 
     def numbered_table(self, kind, number):
-        """Where there is one tip it needs no number. The only tip of a body with one
-        lip has no number in its file."""
+        """The table of a tip, which needs no number if there is one tip. The only tip
+        of a body with one lip has no number in its file."""
         tips = [name for name in self.tables if name.startswith(f"{kind}_")]
         if number is None and len(tips) > 1:
             places = self.summary.get(f"{kind}s", ())
@@ -99,7 +99,7 @@ class Results(Run):
 
     @property
     def fields(self):
-        """Of each stored instant, in the order in which they were written."""
+        """The fields of each stored instant, in the order of writing."""
         return [Field(*instant) for instant in self.instants()]
 
 
@@ -107,13 +107,13 @@ class Field(collections.namedtuple("Field", "t, path")):
     """An instant, and the file that ParaView opens."""
 
     def mesh(self):
-        """As a mesh of meshio's, with the arrays in its point_data."""
+        """The fields as a mesh of meshio's, with the arrays in its point_data."""
         from crevasse.fields import read_whole
         return read_whole(self.path)
 
 
 def as_text(value):
-    """As a scene has it."""
+    """The text of a value in a scene file."""
     if isinstance(value, bool):
         return str(value).lower()
     if isinstance(value, (list, tuple)):
@@ -122,15 +122,15 @@ def as_text(value):
 
 
 def default_directory(program, words, scene):
-    """That of the program, which it prints only while it runs."""
+    """Default output directory of the program, which it prints only while it runs."""
     call = execute([program, *words, "--print-parameters", "prm"], shows_output=False)
     values, _ = parse_parameters(call.output)
     return values["Output directory"] or f"results/{pathlib.Path(scene).stem}"
 
 
 def execute(words, shows_output=True):
-    """The program on a command line. Its output is printed as it comes: a notebook
-    shows what Python prints, and not what other processes do."""
+    """Runs the program with a command line. Its output is printed as it comes: a
+    notebook shows what Python prints, and not what other processes do."""
     call = Call()
     try:
         process = subprocess.Popen(

@@ -18,8 +18,8 @@ def is_scene_of_paper(run):
 
 
 def shown_instant(run):
-    """(t, file): in the paper's scenes the instant next to T/4, else that of the largest
-    stress intensity, and where there is none that of the largest stress."""
+    """The instant (t, file) of pictures: in the paper's scenes next to T/4, else that
+    of the largest stress intensity or, without one, of the largest stress."""
     if is_scene_of_paper(run):
         return run.choose_instant(instant_of_paper(run))
     stored = run.instants()
@@ -35,7 +35,7 @@ def shown_instant(run):
 
 
 def instant_of_paper(run):
-    """T/4 as in the paper, or what the scene names next to it."""
+    """The instant T/4 of the paper, or the field time of the scene next to it."""
     named = [value for value in map(number, run.parameter("Output/Field times")
                                     .split(",")) if value is not None]
     return min(named, key=lambda t: abs(t - run.period / 4),
@@ -43,8 +43,8 @@ def instant_of_paper(run):
 
 
 def with_creep_integral(run, stored):
-    """Those with C(t), if there are, of which the singular stress is known; of many
-    some, evenly chosen."""
+    """The stored instants at which C(t), and so the singular stress, is known, if there
+    are any; of many some, evenly chosen."""
     rows = numpy.linspace(0, len(stored) - 1, min(len(stored), MOST_FILES))
     some = [stored[k] for k in numpy.unique(rows.round().astype(int))]
     tables = [table for name, table in run.tables.items()

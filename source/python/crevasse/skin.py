@@ -17,14 +17,14 @@ MULTIPLIERS = numpy.random.default_rng(1980).integers(1 << 62, size=8) | 1
 
 
 def mixed(rows):
-    """One number a row, the same for equal rows alone (but once in 2^64). Numbers of
-    numbers would often be the same without the shift: sums of products commute."""
+    """A hash of each row, the same for equal rows alone (but once in 2^64). The shift
+    prevents equal hashes of hashes: without it sums of products would commute."""
     sums = rows @ MULTIPLIERS[:rows.shape[1]]
     return (sums ^ (sums >> 29)) * MULTIPLIERS[-1]
 
 
 def groups(rows):
-    """Number of the group of equal rows that each is in, and the size of the groups."""
+    """The group number of each row (equal rows are a group); the groups' sizes."""
     _, group, count = numpy.unique(mixed(rows), return_inverse=True,
                                    return_counts=True)
     return group, count
@@ -34,7 +34,7 @@ class Skin:
     """Points of a file that are seen, and quadrilaterals between them."""
 
     def __init__(self, points, cells, parts):
-        """Each cell was written in so many parts."""
+        """The skin of a file in which each cell was written in so many parts."""
         self.quads, self.side = cells, numpy.arange(len(cells)) // parts
         if points.shape[1] == 3:
             self.quads = cells[:, FACES].reshape(-1, 4)
@@ -72,9 +72,9 @@ class Skin:
         return used, marks
 
     def is_inside(self, facets):
-        """Of edges or faces with cells on one side: whether cells of another size
-        adjoin. A large one has a point at its centre, and small ones reach from
-        there to its corners."""
+        """Whether edges or faces with cells on one side adjoin cells of another size. A
+        large cell has a point at its centre, and small ones reach from there to its
+        corners."""
         middle = self.points[facets].mean(axis=1)
         centre = numpy.zeros(len(facets), numpy.int64)
         large = numpy.zeros(len(facets), bool)
@@ -91,8 +91,8 @@ class Skin:
         return inside
 
     def mark_edges(self, node):
-        """A byte a quadrilateral: which edges are those of a cell, which of the
-        outline of the body or sharp."""
+        """A byte for each quadrilateral: which of its edges are edges of a cell, and
+        which are in the outline of the body or sharp."""
         ends = numpy.stack([self.quads, numpy.roll(self.quads, -1, 1)], -1)
         ends = ends.reshape(-1, 2)
         sorted_ends = numpy.sort(node[ends], axis=1)

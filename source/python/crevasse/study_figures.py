@@ -10,7 +10,7 @@ from crevasse.plotting import add_legend, line_style, name_numbers, pyplot
 
 
 def draw(rows, name, numbers, along=None):
-    """Of the numbers of the points."""
+    """Draws a figure of the numbers of the points."""
     along, others, lines = sweep_table.lines_of(rows, along)
     numeric = sweep_table.is_numeric(rows, along)
     figure, axes = pyplot.subplots(figsize=(5.6, 3.6), constrained_layout=True)

@@ -63,7 +63,7 @@ def read(path):
 
 
 def is_finite(number):
-    """Whole numbers in JSON may have hundreds of digits."""
+    """Whether a number of JSON, which may have hundreds of digits, is finite."""
     try:
         return math.isfinite(number)
     except OverflowError:
@@ -71,7 +71,7 @@ def is_finite(number):
 
 
 def has_shape(value, shape):
-    """What is not known is null; numbers and answers may be so."""
+    """Whether a value has the expected shape. Unknown numbers and answers are null."""
     if isinstance(shape, list):
         return isinstance(value, list) and all(has_shape(item, shape[0])
                                                for item in value)

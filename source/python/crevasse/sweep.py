@@ -41,28 +41,28 @@ status is 3 only if no point has results."""
 def arguments(words):
     parser = Parser("sweep", description=__doc__, epilog=EPILOG)
     parser.add_common("results/<scene name>_sweep")
-    parser.add_list("--vary", "LIST", "\"Section/Name=a,b,c\": the values of a "
-                    "parameter, separated by \";\" if they contain commas, by \" | \" "
-                    "if both; \"S/N=0.1:0.6:11\": 11 equally spaced values from 0.1 to "
-                    "0.6; \"S/N=a,b & S/M=c,d\" changes two together. All "
-                    "combinations are computed")
+    parser.add_list("--vary", "LIST", "\"Section/Name=a,b,c\": values of a parameter, "
+                    "separated by \";\" if they contain commas, by \" | \" if they "
+                    "contain both; \"S/N=0.1:0.6:11\": 11 equally spaced values from "
+                    "0.1 to 0.6; \"S/N=a,b & S/M=c,d\" varies two parameters together. "
+                    "The sweep computes all combinations")
     parser.add_list("--reference", "ASSIGNMENT", "\"Section/Name=value\": errors are "
-                    "measured against the run of the scene with this")
-    parser.add_list("--exact", "FORMULA", "\"QUANTITY=formula of t\": a closed form "
-                    "to compare a quantity with")
+                    "measured against a run of the scene with this value")
+    parser.add_list("--exact", "FORMULA", "\"QUANTITY=formula of t\": errors of a "
+                    "quantity are measured against this closed form")
     parser.add_argument("--error", default="", metavar="LIST", help="quantities whose "
-                        "errors are wanted, separated by commas: stress, or "
-                        "TABLE/COLUMN as crack_tip/K_I")
-    parser.add_argument("--jobs", type=count, metavar="N", help="how many points are "
-                        "computed at a time, each on one core (the number of cores; 1 "
-                        "where errors are measured beside costs, because points that "
-                        "run side by side slow each other down; 1 with mpirun)")
+                        "errors are measured, separated by commas: stress, or "
+                        "TABLE/COLUMN such as crack_tip/K_I")
+    parser.add_argument("--jobs", type=count, metavar="N", help="number of points that "
+                        "run at the same time, each on one core (the number of cores; "
+                        "1 if errors are measured beside costs, because such points "
+                        "slow each other down; 1 with mpirun)")
     return parser.parse(words)
 
 
 def one_thread_each():
-    """The environment of a server of our own, unless the user has chosen: libraries read
-    it when they are loaded."""
+    """Environment of the server: one thread for each run, unless the user has chosen;
+    libraries read it when they are loaded."""
     if "OMP_NUM_THREADS" in os.environ:
         return None
     os.environ["OMP_NUM_THREADS"] = "1"
@@ -81,8 +81,8 @@ def main(words):
     options = arguments(words)
     log = Log(options.quiet)
     try:
-        sweep(options, Stop(options.wall_time, "The points that are finished are kept: "
-                            "the same command goes on with the others."), log)
+        sweep(options, Stop(options.wall_time, "The finished points are kept: repeat "
+                            "the command to continue."), log)
     except (CommandError, ResultsError, OSError) as error:
         status = getattr(error, "status", 4)
         if status == 5:

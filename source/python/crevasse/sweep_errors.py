@@ -61,26 +61,26 @@ def choose_quantities(options, scenes, program):
 
 
 def problem_of(name, tables):
-    """What is wrong with the name of a quantity; None if nothing is."""
+    """Mistake in the name of a quantity; None if there is none."""
     table, slash, column = name.partition("/")
     if name == STRESS or slash and column in tables.get(kind(table), ()):
         return None
     if slash and kind(table) in tables:
         return (f"has no column \"{shorten(column)}\"; columns are: "
                 + ", ".join(tables[kind(table)]))
-    return ("is no quantity; allowed are \"stress\" and \"TABLE/COLUMN\" with a table "
-            "of: " + ", ".join(tables) + did_you_mean(table, tables))
+    return ("is not a quantity; allowed are \"stress\" and \"TABLE/COLUMN\" with a "
+            "table of: " + ", ".join(tables) + did_you_mean(table, tables))
 
 
 def problem_with_formula(name, formula, program):
     table, _, column = name.partition("/")
     if name == STRESS or table == "periods" or column in ("u", "s"):
-        return "a formula can only stand for one column over time"
+        return "a formula can replace only one column over time"
     return evaluate(program, name, formula, ())[1]
 
 
 def evaluate(program, name, formula, instants):
-    """The program reads formulas: values, or why there are none."""
+    """Values of a formula, which the program reads, or why there are none."""
     call = program.finish(program.start(
         "evaluate", f"--exact {name}", formula, *map(repr, instants)))
     if call.status:
@@ -93,7 +93,7 @@ def no_error(reason, instants=0):
 
 
 def relative_error(difference, size, instants):
-    """Of the largest difference at common instants; size is the largest value of the
+    """The largest difference at common instants, divided by the largest value of the
     reference at any instant."""
     if not math.isfinite(difference + size):
         return no_error("there are values that are not finite", instants)
@@ -103,11 +103,11 @@ def relative_error(difference, size, instants):
 
 
 def history_error(name, folder, reference, period, periodic):
-    """Of a column over time; of all instants, or of last periods."""
+    """Error of a column over time, at all instants or in the last periods."""
     table, column = name.split("/")
     if periodic and depends_on_constant(table):
-        return no_error("it depends on the additive constant of the displacement, which "
-                        "a periodic state leaves free")
+        return no_error("it depends on the additive constant of the displacement, "
+                        "which a periodic state does not determine")
     tables = []
     for whose, path in (("run", folder), ("reference", reference)):
         if not (path / f"{table}.csv").exists():
@@ -123,8 +123,8 @@ def history_error(name, folder, reference, period, periodic):
 
 
 def exact_error(name, formula, folder, period, whole_run, program):
-    """Of a column against a formula of t, at all instants of a march from rest, or in
-    the last period."""
+    """Error of a column against a formula of t, at all instants of a march from rest,
+    or in the last period."""
     table, column = name.split("/")
     if not (folder / f"{table}.csv").exists():
         return no_error(f"the run has no table {table}")
@@ -137,7 +137,7 @@ def exact_error(name, formula, folder, period, whole_run, program):
     if reason:
         return no_error(reason)
     if not len(mine.t) or mine.t[-1] == 0.:
-        return no_error("the run has no instant but t = 0")
+        return no_error("the run has only the instant t = 0")
     found, exact = mine.columns[column][None], values[None]
     if not whole_run:
         found, exact = (without_means([column], of) for of in (found, exact))
@@ -170,8 +170,8 @@ class StressReader:
         mine, theirs = self.coordinates, reference.coordinates
         if mine.shape != theirs.shape or (
                 abs(mine - theirs).max(initial=0.) > 1e-10 * abs(theirs).max(initial=0.)):
-            return no_error("the run has not the mesh and the quadrature points of the "
-                            "reference")
+            return no_error("the run and the reference have different quadrature "
+                            "points")
         rows, objection = common_instants(self.instants, reference.instants, period)
         if objection:
             return no_error(objection, len(rows))

@@ -10,8 +10,8 @@ from crevasse.sweep_table import (findings_of, first_of_size, parameters, quanti
 
 
 def drawings(options):
-    """(file name, figure): errors against costs, if there are errors, and each result
-    that varies; or the one that --quantity names."""
+    """Figures (file name, figure) of a sweep: errors against costs, if there are
+    errors, and each result that varies; or the one that --quantity names."""
     rows = read_rows(options.results)
     errors, found = quantities(rows), findings_of(rows)
     along = options.along and choose(options.along, parameters(rows), "parameter")
@@ -35,7 +35,7 @@ def drawings(options):
 
 
 def choose(wanted, available, what):
-    """The one whose name, or the end of it, is wanted."""
+    """The candidate whose name, or the end of it, is wanted."""
     for name in available:
         if wanted in (name, name.split("/")[-1]):
             return name

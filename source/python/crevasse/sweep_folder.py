@@ -31,7 +31,7 @@ class Result(Outcome):
 
     @property
     def has_periods(self):
-        """Only then there are tables."""
+        """Whether a run has computed a period: only then it has tables."""
         return self.costs.get("periods", 0) > 0
 
     def as_json(self):
@@ -42,7 +42,7 @@ class Result(Outcome):
 
 
 class Folder:
-    """By the parameters of its run it is known whether that is finished."""
+    """Folder of a run, whose parameters show whether it is that of the point."""
 
     def __init__(self, path, used):
         self.path, self.used, self.begin_time = path, used, 0.
@@ -54,7 +54,7 @@ class Folder:
             return False
 
     def finished(self):
-        """The result of this very run; None if it is not there, or damaged."""
+        """The result of this very run; None if it is missing or damaged."""
         if not self.has_same_scene():
             return None
         try:
@@ -69,8 +69,8 @@ class Folder:
             return None
 
     def prepare(self):
-        """Removes what is there, but keeps the results of another scene in a folder
-        of their own."""
+        """Empties the folder, but keeps the results of another scene in a folder beside
+        them."""
         self.path.mkdir(parents=True, exist_ok=True)
         # First: from now on the folder is not finished.
         for name in ("finished.json", STRESS_FILE):
@@ -99,7 +99,7 @@ class Folder:
                              *["--stress-record"] * keep_stress)
 
     def progress(self):
-        """"12 s, 3 periods"."""
+        """Progress of the run, such as "12 s, 3 periods"."""
         try:
             periods = (self.path / "periods.csv").read_text().count("\n") - 1
         except OSError:

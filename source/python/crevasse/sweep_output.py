@@ -35,12 +35,12 @@ class Output:
                    json.dumps(self.json(), indent=2, ensure_ascii=False) + "\n")
 
     def points(self):
-        """Number, point and result of each point that is finished."""
+        """Number, point and result of each finished point."""
         return [(p, self.plan.points[p], result)
                 for p, result in sorted(self.results.items())]
 
     def findings(self):
-        """Those that any point has."""
+        """Names of the findings that any point has."""
         return sorted({name for result in self.results.values()
                        for name in result.findings}, key=findings.place)
 
@@ -58,7 +58,7 @@ class Output:
              and q in self.results and self.results[q].has_results), None)
 
     def order(self, p, quantity):
-        """The p of error ~ number^-p between the predecessor and this point."""
+        """Order p of an error ~ number^-p from the predecessor to this point."""
         before = self.predecessor(p)
         if before is None:
             return None
@@ -71,7 +71,7 @@ class Output:
                 / math.log(next(ends) / next(ends)))
 
     def warnings(self):
-        """Of all runs, one of each kind, and how many points have it."""
+        """Warnings of all runs, one of each kind, and how many points have it."""
         kinds = {}
         n = len(self.results)
         for p, result in [*sorted(self.results.items()), (-1, self.reference_result)]:
@@ -164,19 +164,19 @@ class Output:
                 begin = ""
 
     def short_name(self, parameter):
-        """Without its section, where that is enough."""
+        """Name of a parameter without its section, where that is enough."""
         last = parameter.split("/")[-1]
         namesakes = [other for other in self.plan.parameters
                      if other.split("/")[-1] == last]
         return last if len(namesakes) == 1 else parameter
 
     def values(self, p):
-        """"Scheme = heun, Steps per period = 20"."""
+        """Values of a point, such as "Scheme = heun, Steps per period = 20"."""
         return ", ".join(f"{self.short_name(parameter)} = {value}" for parameter, value
                          in zip(self.plan.parameters, self.plan.points[p].values))
 
     def line(self, p):
-        """A point in one line: values, errors, cost."""
+        """A point in one line: values, errors, costs."""
         result = self.results[p]
         if not result.has_results:
             return f"{self.values(p)}: {result.status}"

@@ -19,7 +19,7 @@ MARKERS = ("circle", "rect", "triangle", "rectRot", "crossRot", "star")
 
 
 def page(directory):
-    """The text, no headline, what to say of the sweep, and what is damaged."""
+    """The text of the page, no headline, notes about the sweep, and damaged files."""
     rows = sweep_table.read_rows(directory)
     description, damages = read_description(directory)
     quantities = sweep_table.quantities(rows)
@@ -54,7 +54,7 @@ def page(directory):
 
 
 def read_description(directory):
-    """Title and reference, of sweep.json."""
+    """Title and reference of a sweep, from sweep.json."""
     path = directory / "sweep.json"
     try:
         description = json.loads(path.read_text(encoding="utf-8"))
@@ -80,8 +80,8 @@ def states(rows):
 
 
 def points_to_come(directory, rows):
-    """How many points of the log are not in the table; nothing if the sweep is
-    whole."""
+    """A sentence on points of the log that are not in the table; nothing if the sweep
+    is complete."""
     try:
         text = (directory / "sweep.log").read_text(errors="replace")
     except OSError:
@@ -94,12 +94,12 @@ def points_to_come(directory, rows):
 
 
 def words(row, names):
-    """The parameters of a point, shown when hovering over it."""
+    """The parameters of a point in words, shown when hovering over it."""
     return [f"{name.split('/')[-1]} = {row[name]}" for name in names]
 
 
 def study(rows, lines, quantity):
-    """Error of one quantity against costs: charts, and the points of the Pareto
+    """Charts of the error of one quantity against costs, and the points of the Pareto
     fronts by their cost."""
     charts, fronts = [], {}
     for cost in chosen_costs(rows):
@@ -114,7 +114,7 @@ def study(rows, lines, quantity):
 
 
 def chosen_costs(rows):
-    """Wall time, and contact problems; where there are none, linear solves."""
+    """Costs of charts: wall time, and contact problems (without: linear solves)."""
     contact = any(number(row["vi_solves"]) for row in rows)
     return "seconds", "vi_solves" if contact else "linear_solves"
 
@@ -146,13 +146,13 @@ def not_done(row):
 
 
 def drawable(row, cost, error):
-    """Whether logarithmic axes can show it."""
+    """Whether logarithmic axes can show a point."""
     return (0 < (number(row[cost]) or 0) < math.inf
             and 0 < (number(row[error]) or 0) < math.inf)
 
 
 def pareto_front(rows, cost, error):
-    """Points than which no other one has a smaller cost and a smaller error."""
+    """Points to which no other one is superior in cost and error."""
     best, least = [], float("inf")
     for row in sorted(rows, key=lambda row: (number(row[cost]),
                                              number(row[error]))):
@@ -163,7 +163,7 @@ def pareto_front(rows, cost, error):
 
 
 def first_with_points(studies, rows, quantities):
-    """The quantity that is shown first."""
+    """The quantity that is shown first: the first whose chart has points."""
     if not quantities:
         return None
     first = sweep_table.first_of_size(rows, quantities)
@@ -172,7 +172,7 @@ def first_with_points(studies, rows, quantities):
 
 
 def finding_charts(rows, lines, along, found):
-    """Each finding against the parameter along the lines."""
+    """Charts of each finding against the parameter along the lines."""
     axis = {"x": along.split("/")[-1], **scale(rows, along)}
     read_x = str if "categories" in axis else float
     names = sweep_table.parameters(rows)
@@ -195,8 +195,8 @@ def finding_charts(rows, lines, along, found):
 
 
 def scale(rows, along):
-    """Texts are categories; numbers that are spaced by factors have a logarithmic
-    axis."""
+    """Scale of an axis. Texts are categories; numbers that are spaced by factors have a
+    logarithmic axis."""
     if not sweep_table.is_numeric(rows, along):
         return {"categories": list(dict.fromkeys(row[along] for row in rows))}
     return {"log": ["x"]} if sweep_table.is_geometric(rows, along) else {}
@@ -208,7 +208,7 @@ def style(k):
 
 
 def scene_of(directory, rows):
-    """One of the runs. The scenes differ in the varied parameters only."""
+    """The scene of one of the runs; the scenes differ in the varied parameters only."""
     for name in ["reference", *(row["point"] for row in rows)]:
         try:
             return Run(directory / name)

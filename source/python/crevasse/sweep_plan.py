@@ -49,7 +49,7 @@ class Point:
 
 
 class Plan:
-    """Whether there are such parameters is not yet looked at."""
+    """The points of a sweep. Whether its parameters exist is not yet checked."""
 
     def __init__(self, texts):
         problems = [] if texts else ["A sweep needs a list of values: --vary "
@@ -80,12 +80,12 @@ class Plan:
         return Point(list(indices), values, folder_name(self.parameters, values))
 
     def settings(self, point):
-        """What a point sets besides the scene and --set."""
+        """Settings of a point in addition to the scene and --set."""
         return [f"{name}={value}"
                 for name, value in zip(self.parameters, point.values)]
 
     def parameters_of_problem(self):
-        """Those that change what is computed, and not only how."""
+        """Varied parameters that change the problem, not only its solution."""
         return list(filter(is_of_problem, self.parameters))
 
 
@@ -113,8 +113,8 @@ def squeeze(text):
 
 
 def split(text, separator):
-    """At the separators that are not within brackets. One at the end does not begin
-    another part."""
+    """Splits a text at the separators that are not within brackets. A separator at the
+    end does not begin another part."""
     parts, depth = [""], 0
     for character in text:
         depth += (character == "(") - (character == ")")
@@ -127,7 +127,7 @@ def split(text, separator):
 
 
 def list_of_values(text):
-    """Cuts at the rarest separator: a value may contain those before it."""
+    """Splits a list at its rarest separator: a value may contain more frequent ones."""
     if " | " in text:
         return list(map(squeeze, text.split(" | ")))
     parts = split(text, ";")
@@ -135,7 +135,7 @@ def list_of_values(text):
 
 
 def expand(text):
-    """The values of a range "first:last:count" as texts; of another text itself. There
+    """The values of a range "first:last:count" as texts; any other text itself. There
     may be colons in names, too."""
     parts = text.split(":")
     numbers = [number(part) for part in parts]
@@ -192,7 +192,7 @@ def read_axis(option, problems):
 
 
 def digest(text):
-    """Eight hexadecimal digits that tell texts apart (FNV-1a)."""
+    """Eight hexadecimal digits that distinguish texts (FNV-1a)."""
     hashed = 2166136261
     for byte in text.encode():
         hashed = (hashed ^ byte) * 16777619 % 2**32
@@ -200,7 +200,7 @@ def digest(text):
 
 
 def folder_name(parameters, values):
-    """Says what varies, and stays the same if more values are added to a list."""
+    """Folder of a point, which does not change if a list gets more values."""
     def safe(text, allowed):
         return "".join(chr(byte) if chr(byte) in allowed or byte < 128
                        and chr(byte).isalnum() else "_" for byte in text.encode())

@@ -45,7 +45,7 @@ def read_scenes(program, options, settings):
 
 
 def choose_jobs(options, program, measures_errors):
-    """How many points are computed at a time."""
+    """Number of points that run at the same time."""
     if program.ranks > 1 and options.jobs not in (None, 1):
         raise CommandError(f"--jobs {options.jobs}: with mpirun each point is computed on "
                            f"all {program.ranks} processes, one point at a time. Leave "
@@ -55,7 +55,7 @@ def choose_jobs(options, program, measures_errors):
 
 
 class Sweep:
-    """Finds the reference and the points, on disk or by runs."""
+    """A sweep. It finds the reference and the points, on disk or by runs."""
 
     def __init__(self, options, program, log):
         self.options, self.program, self.log = options, program, log
@@ -97,7 +97,7 @@ class Sweep:
         return "Errors are measured against " + "; ".join(parts) if parts else ""
 
     def basis(self):
-        """What errors are measured, and against what."""
+        """Hash of the quantities whose errors are measured, and of their reference."""
         text = f"{self.quantities}" + (f"{self.periodic}{normal_form(self.used[0])}"
                                        if self.needs_reference else "")
         return hashlib.sha256(text.encode()).hexdigest()[:16]
@@ -126,7 +126,7 @@ class Sweep:
                                "/sweep.md tells why.", 3)
 
     def begin(self, folder, k):
-        """A run of scene k: 0 is the reference."""
+        """Starts the run of scene k; 0 is the reference."""
         self.program.stop.check()
         call = folder.begin(self.program, self.options.scene,
                             [*self.options.set, *self.settings[k]],
@@ -147,7 +147,7 @@ class Sweep:
                                                for k, folder in self.running.values()))
 
     def name(self, k):
-        """Of a run on the terminal: with the values where there is room."""
+        """Name of a run on the terminal: with the values where there is room."""
         if k == 0:
             return "reference"
         number = f"{k} of {len(self.plan.points)}"
@@ -207,7 +207,7 @@ class Sweep:
         self.write_lines()
 
     def write_lines(self, to_the_end=False):
-        """In the order of the plan, whichever point ends first."""
+        """Logs the finished points in the order of the plan, not of their ends."""
         for number, lines in enumerate(self.lines):
             if not (to_the_end or number in self.output.results):
                 break
@@ -215,8 +215,8 @@ class Sweep:
                 self.log(lines.pop(0))
 
     def stored(self, folder, number):
-        """The result that is there already, with errors against the present reference;
-        None if there is none."""
+        """The result of an earlier run, with errors against the present reference; None
+        if there is none."""
         result = folder.finished()
         if (result and result.has_results and self.quantities
                 and result.basis != self.basis()):

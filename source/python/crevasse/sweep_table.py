@@ -17,12 +17,12 @@ COSTS = {"vi_solves": "contact problems",
 
 
 def label(name):
-    """A finding with its unit, or a cost."""
+    """Label of a finding with its unit, or of a cost."""
     return COSTS.get(name) or f"{findings.label(name)} ({findings.unit(name)})"
 
 
 def wall_times(rows):
-    """{point: seconds}, as findings_of(); empty where they are not known."""
+    """Wall times {point: seconds}, as findings_of(); empty if unknown."""
     times = {row["point"]: float(row["seconds"]) for row in rows
              if is_number(row["seconds"])}
     return {"seconds": times} if times else {}
@@ -52,7 +52,7 @@ def read_rows(directory):
 
 
 def parameters(rows):
-    """The columns between "point" and "status"."""
+    """Names of the parameters: the columns between "point" and "status"."""
     names = list(rows[0])
     return names[1:names.index("status")]
 
@@ -77,8 +77,8 @@ def is_geometric(rows, name):
 
 
 def most_numeric(rows, names):
-    """The parameter with the most values, among those that are numbers; where none
-    varies, among all."""
+    """The parameter with the most values, among those that are numbers; where none of
+    these varies, among all."""
     def values(name):
         n = len({row[name] for row in rows})
         return (n if n > 1 and is_numeric(rows, name) else 0), n
@@ -101,8 +101,8 @@ def lines(rows, along, others):
 
 
 def changes_with(rows, name, along):
-    """Whether a number has one value for each value of another: the two were
-    changed together. What is no number makes lines of its own."""
+    """Whether one number has one value for each value of another: the two were changed
+    together. Texts form separate lines."""
     pairs = {(row[along], row[name]) for row in rows}
     return (len(pairs) == len({row[along] for row in rows})
             and all(number(row[name]) is not None for row in rows))
@@ -118,14 +118,14 @@ def lines_of(rows, along=None):
 
 
 def joined(lines):
-    """One line through the points if each would be a line of its own."""
+    """One line through all points, if each point would be a line by itself."""
     if any(len(members) > 1 for _, members in lines):
         return lines
     return [("", [row for _, members in lines for row in members])]
 
 
 def findings_of(rows):
-    """{column: {point: number}} of the results that have numbers."""
+    """Findings {column: {point: number}} of the results that have numbers."""
     numbers = {name: {row["point"]: float(row[name]) for row in rows
                       if is_number(row[name])}
                for name in rows[0] if findings.is_finding(name)}
@@ -133,8 +133,7 @@ def findings_of(rows):
 
 
 def varying(found):
-    """Those of findings_of() that differ by more than rounding and by more than a
-    thousandth."""
+    """The findings that differ by more than rounding and by more than a thousandth."""
     sizes = {name: max(map(abs, points.values())) for name, points in found.items()}
     return {name: points for name, points in found.items()
             if max(points.values()) - min(points.values())
@@ -144,7 +143,7 @@ def varying(found):
 
 
 def first_of_size(rows, quantities):
-    """The first quantity whose errors are more than rounding, if there is."""
+    """The first quantity whose errors are more than rounding, if there is one."""
     for quantity in quantities:
         if any((number(row["error:" + quantity]) or 0) > 1e-12
                for row in rows):
@@ -153,6 +152,6 @@ def first_of_size(rows, quantities):
 
 
 def quantities(rows):
-    """Those that have errors."""
+    """Names of the quantities that have errors."""
     return [name.removeprefix("error:") for name in rows[0]
             if name.startswith("error:")]

@@ -38,7 +38,7 @@ SIMPLICES = {
 
 
 class Mistake(Exception):
-    """What is wrong with a file: its name, and what to do."""
+    """A mistake in a file: the message has its name, and what to do."""
 
 
 def main(words):
@@ -60,14 +60,13 @@ def parse(words):
     parser = argparse.ArgumentParser(
         prog="crevasse temperature", description="Converts temperatures that "
         "another program computed into a file for [Loads] Temperature.")
-    parser.add_argument("fields", help="a .pvd, .pvtu or .xdmf file, or any "
-                        "other that meshio reads, for one instant")
+    parser.add_argument("fields", help="a .pvd, .pvtu or .xdmf file, or, for one "
+                        "instant, any other file that meshio reads")
     parser.add_argument("--output", "-o", required=True, metavar="FILE.h5")
-    parser.add_argument("--array", help="the scalar at the points; default: "
-                        "theta, temperature or T, or the only scalar")
+    parser.add_argument("--array", help="name of the scalar at the points (theta, "
+                        "temperature or T, or the only scalar)")
     parser.add_argument("--subtract", type=float, default=0., metavar="T0",
-                        help="the temperature at which the body is free of "
-                        "thermal strain; the default is 0")
+                        help="temperature without thermal strain (0)")
     arguments = parser.parse_args(words)
     if not arguments.output.lower().endswith(".h5"):
         parser.error("--output must end in .h5")
@@ -86,8 +85,8 @@ def convert(arguments):
                     instants(arguments.fields)):
                 points, cells, theta, own = merge(name, parts, arguments.array)
                 if dimension not in (None, own):
-                    raise Mistake(f"{name}: its cells are of dimension {own}, "
-                                  f"those before of {dimension}.")
+                    raise Mistake(f"{name}: its cells have dimension {own}, those of "
+                                  f"earlier files {dimension}.")
                 dimension = own
                 index = next((index for index, mesh in enumerate(meshes)
                               if all(map(numpy.array_equal, mesh,
@@ -152,7 +151,7 @@ def neighbour(name, other):
 
 
 def read(name):
-    """The fields of one file, or of those that a .pvtu names."""
+    """Reads the fields of one file, or of all files that a .pvtu names."""
     if name.lower().endswith(".pvtu"):
         return [field for piece in elements(name, "PUnstructuredGrid", "Piece")
                 for field in read(neighbour(name, piece.get("Source", "")))]
@@ -165,7 +164,7 @@ def read(name):
 
 
 def is_empty(name):
-    """Whether a process of a parallel program had nothing to write."""
+    """Whether the part of a parallel program's process has no cells."""
     with open(name, "rb") as file:
         counts = re.findall(rb'NumberOfCells\s*=\s*"(\d*)"', file.read())
     return counts and all(count == b"0" for count in counts)
@@ -186,7 +185,7 @@ def xdmf_series(name):
 
 
 def by_meshio(name, reader):
-    """Damaged files make meshio raise anything, or end the process."""
+    """Reads a file by meshio, which may raise anything for a damaged one."""
     try:
         return reader()
     except (Exception, SystemExit) as error:  # pylint: disable=broad-except
@@ -223,7 +222,7 @@ def merge(name, parts, array):
 
 
 def kind_of(cell_type):
-    """Without what tells the degree: quad9, VTK_LAGRANGE_QUADRILATERAL."""
+    """Kind of a cell without its degree: of quad9, VTK_LAGRANGE_QUADRILATERAL."""
     return cell_type.lower().removeprefix("vtk_lagrange_").rstrip("0123456789")
 
 
@@ -256,7 +255,7 @@ def choose(name, data, array):
 
 def check(name, points, simplices, values):
     if simplices.min() < 0 or simplices.max() >= len(points):
-        raise Mistake(f"{name}: a cell has a point that is not there.")
+        raise Mistake(f"{name}: a cell has a point that the file does not contain.")
     if len(values) != len(points):
         raise Mistake(f"{name}: has {len(values)} temperatures at {len(points)} "
                       "points.")

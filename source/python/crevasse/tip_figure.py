@@ -31,7 +31,7 @@ SINGULAR = {"plane strain": ((1, 6.2832, 1.1547), (1.2, 6.2641, 1.2936),
 
 
 def tips_of(run):
-    """(what summary.json has of a tip, its table)."""
+    """Pairs (entry of summary.json, table) of the tips."""
     tables = [("crack_tips", "crack_tip"), ("creep_integrals", "creep_integral")]
     tips = [(run.summary["crack_tip"], "crack_tip.csv")] if "crack_tip" in \
         run.summary else []
@@ -44,7 +44,7 @@ def tips_of(run):
 
 
 def stress_ahead(run, fields, t):
-    """None if no tip has a singular stress that opens it at an instant."""
+    """Figure of the stress ahead of tips; None without singular stress in tension."""
     drawn = []
     for tip, table in tips_of(run):
         r, stress = line_ahead(fields, tip)
@@ -82,7 +82,7 @@ def line_ahead(fields, tip):
 
 
 def singular_stress(run, table, t):
-    """Its name, and the function of the distance; None where nothing opens."""
+    """Name and function of distance of the singular stress; None if compressive."""
     column = "C_t" if "C_t" in table else "K_I"
     row = abs(table["t"] - t).argmin()
     value = table[column][row]
@@ -102,7 +102,7 @@ def singular_stress(run, table, t):
 
 
 def singular_field(state, n):
-    """I_n and the hoop stress, between the rows of the table."""
+    """I_n and the hoop stress of the singular field, interpolated in the table."""
     exponents, *columns = zip(*SINGULAR[state])
     return [numpy.interp(-1 / n, [-1 / m for m in exponents], values)
             for values in columns]

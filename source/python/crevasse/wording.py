@@ -13,7 +13,7 @@ SUPERSCRIPTS = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
 
 
 def significant(value, digits=4):
-    """With that many digits, and a power of ten where it would be long."""
+    """A number with that many digits, and a power of ten where it would be long."""
     if value is None:
         return "–"
     if isinstance(value, bool) or not isinstance(value, (int, float)):
@@ -36,7 +36,7 @@ def significant(value, digits=4):
 
 
 def measured(text, digits=4):
-    """A number of a table as above; nothing where there is none."""
+    """A number of a table with significant digits; empty without a number."""
     value = number(text)
     return text if value is None else significant(value, digits)
 
@@ -59,7 +59,7 @@ def seconds(value):
 
 
 def subscripts(label):
-    """K_I and ΔK_eff in HTML."""
+    """HTML with subscripts, for symbols such as K_I and ΔK_eff."""
     return re.sub(r"_(\w+)", r"<sub>\1</sub>", label)
 
 
