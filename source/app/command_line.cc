@@ -37,8 +37,8 @@ namespace Crevasse
       throw CLI::ValidationError(
         "--wall-time",
         "\"" + Text::shorten(text) +
-          "\" is no time: write seconds, hours:minutes:seconds, or "
-          "days-hours:minutes:seconds, as 3600, 1:00:00 or 2-12:00:00.");
+          "\" is not a time: write seconds, hours:minutes:seconds, or "
+          "days-hours:minutes:seconds, such as 3600, 1:00:00 or 2-12:00:00.");
     }
 
 

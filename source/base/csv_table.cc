@@ -41,6 +41,6 @@ namespace Crevasse
     file << std::endl;
     if (!file)
       throw FileError("Cannot write " + file_name +
-                      ": is the disk full? The rows before are there.");
+                      ": is the disk full? The file has the earlier rows.");
   }
 } // namespace Crevasse

@@ -99,7 +99,7 @@ namespace Crevasse
       if (message.find("position") == std::string::npos && error.GetPos() > 0)
         message += " (position " + std::to_string(error.GetPos()) + ")";
       if (error.GetCode() == mu::ecUNASSIGNABLE_TOKEN)
-        message += " Known are " + variables +
+        message += " Known names: " + variables +
                    ", pi and the functions of muParser, if, pow, floor, ceil.";
       return message;
     }
@@ -180,7 +180,7 @@ namespace Crevasse
                            : "") +
       (depends_on("material") ? ", material = " + std::to_string(place.material)
                               : "") +
-      ": try to keep divisors away from 0 and the arguments of sqrt and log "
+      ": keep divisors away from 0, and the arguments of sqrt and log "
       "positive, for example with max(x, 1e-12).");
   }
 

@@ -20,7 +20,7 @@ namespace Crevasse
     });
 
     std::string table =
-      "\n  without the others     seconds    share    calls   ms a call";
+      "\n  phase (exclusive)      seconds    share    calls   ms a call";
     for (const auto &[name, m] : rows)
       {
         const double share     = m.own / total;

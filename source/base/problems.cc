@@ -50,7 +50,7 @@ namespace Crevasse
                 const std::string &allowed)
   {
     add(Text::parameter(section, name) + " = " +
-          (value.empty() ? "(nothing)" : Text::shorten(value)) + ": " + allowed,
+          (value.empty() ? "(empty)" : Text::shorten(value)) + ": " + allowed,
         origins[{section, name}]);
     concerned.emplace(section, name);
   }

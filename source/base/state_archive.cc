@@ -18,9 +18,9 @@ namespace Crevasse
     std::string found = name;
     common(found);
     if (found != name)
-      throw FileError("The checkpoint does not fit: it has \"" + found +
-                      "\" where \"" + name +
-                      "\" is expected. It was written by another program.");
+      throw FileError(
+        "The checkpoint does not fit: it has \"" + found + "\" where \"" +
+        name + "\" is expected. Another version of the program wrote it.");
   }
 
 

@@ -225,12 +225,12 @@ namespace Crevasse
       throw Damaged(file + " has another checksum");
     const Summary json = Summary::parse(content);
     if (json.at("format") != format_version)
-      throw FileError(
-        "--resume: the checkpoint " + name(number) +
-        " was written by version " + json.value("version", std::string("?")) +
-        " of the program, whose checkpoints this one, " CREVASSE_VERSION
-        ", cannot read. Resume with that version, or begin anew in another "
-        "output directory.");
+      throw FileError("--resume: the checkpoint " + name(number) +
+                      " was written by version " +
+                      json.value("version", std::string("?")) +
+                      " of the program, and version " CREVASSE_VERSION
+                      " cannot read it. Resume with the former, or start again "
+                      "in another output directory.");
     CheckpointManifest manifest = as_manifest(json);
     for (const auto &[part, expected] : manifest.files)
       {
@@ -271,7 +271,7 @@ namespace Crevasse
   CheckpointFolder::require_tables(const CheckpointManifest &manifest) const
   {
     constexpr const char *advice =
-      " Restore it, or begin anew without --resume, in another output "
+      " Restore it, or start again without --resume, in another output "
       "directory.";
     for (const auto &[table, expected] : manifest.tables)
       {

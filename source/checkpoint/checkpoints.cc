@@ -42,11 +42,10 @@ namespace Crevasse
       for (const std::string &warning : warnings)
         log.warning(warning);
       if (!newest)
-        throw FileError(
-          "--resume: there is no checkpoint in " + directory +
-          "/checkpoint that could be used. Without --resume the run begins "
-          "anew; [Output] Checkpoint every, or a request to stop, has "
-          "checkpoints written.");
+        throw FileError("--resume: there is no checkpoint in " + directory +
+                        "/checkpoint that could be used. Start again without "
+                        "--resume; [Output] Checkpoint every, or a request to "
+                        "stop, makes the program write checkpoints.");
       require_same_scene(newest->scene, scene);
       manifest = *newest;
       bytes    = read_text_file(folder.name(manifest.number) + common_file);

@@ -130,9 +130,9 @@ namespace Crevasse
       }
     if (!differences.empty())
       throw SceneError(
-        "--resume: the scene is not the one that the run was begun with:\n  " +
+        "--resume: the scene has changed since the run was started:\n  " +
         differences.substr(0, differences.size() - 2) +
-        "Set these back, or begin anew without --resume, in another output "
-        "directory.");
+        "Set these parameters back, or start again without --resume, in "
+        "another output directory.");
   }
 } // namespace Crevasse

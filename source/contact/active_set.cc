@@ -55,7 +55,7 @@ namespace Crevasse
   std::string
   ActiveSet::failure_notes() const
   {
-    std::string           text  = " Closed nodes of the last sets: ";
+    std::string text = " Numbers of closed nodes in the last active sets: ";
     const std::size_t     n     = set_sizes.size();
     constexpr std::size_t shown = 5;
     for (std::size_t k = n > shown ? n - shown : 0; k < n; ++k)
@@ -64,10 +64,10 @@ namespace Crevasse
       return text;
     return text + " Conjugate gradients did not converge on the last " +
            std::to_string(not_reached) + (not_reached == 1 ? " set" : " sets") +
-           ". Take a factorisation ([Linear solver] Type = cholesky or mumps); "
-           "with a Poisson ratio near 0.5, [Discretisation] Volumetric strain "
-           "= mean; and look for moduli that differ by many orders of "
-           "magnitude, and very flat cells.";
+           ". Use a factorisation ([Linear solver] Type = cholesky or mumps) "
+           "or, with a Poisson ratio near 0.5, [Discretisation] Volumetric "
+           "strain = mean; check for moduli that differ by many orders of "
+           "magnitude, and for very flat cells.";
   }
 
 

@@ -142,11 +142,11 @@ namespace Crevasse
           require_no_escape(step);
         if (k == most_steps)
           throw NumericalError(
-            "The part that contact alone holds, " +
+            "The motion that contact alone stops, " +
             problem.bounds.free_motions.front().name + ", has not come to " +
             "rest after " + std::to_string(most_steps) +
-            " proximal steps: its gap is wide for so small a load. Close the " +
-            "[Boundary] Gap, or hold the part by Fixed points.");
+            " proximal steps: the gap is too wide for the load. Reduce " +
+            "[Boundary] Gap, or hold the body by Fixed points.");
         before = on_lip;
       }
     counts.undetermined += leave_motions_free(forces) ? 1 : 0;

@@ -44,9 +44,10 @@ namespace Crevasse
         if (n_sets > 100 * (n + 10))
           throw NumericalError(
             "The contact problem of " + std::to_string(n) +
-            " lip nodes did not end in " + std::to_string(n_sets) +
-            " sets: its stiffness is too ill-conditioned. Check the moduli of "
-            "[Material] and the mesh, or try [Contact] Solver = active set.");
+            " lip nodes did not converge within " + std::to_string(n_sets) +
+            " active sets: its stiffness is too ill-conditioned. Check the "
+            "moduli of [Material] and the mesh, or try [Contact] Solver = "
+            "active set.");
         if (!one_by_one && !seen.insert(closed).second)
           {
             ++rescues;

@@ -93,18 +93,16 @@ namespace Crevasse
             << n_iterations << " iterations. Reached: " << certified.describe()
             << '.' << failure_notes();
     if (std::max(force_accuracy(), displacement_accuracy()) > coarsest)
-      message << " Rounding alone makes such errors here. Look for very flat "
+      message << " Rounding alone makes such errors here. Check for very flat "
                  "cells, extreme Poisson ratios, and moduli, relaxation times "
-                 "or lengths that differ by many orders of magnitude; for a "
-                 "body that flows far [Periodic state] Secular split = on "
-                 "takes the mean away.";
+                 "or lengths that differ by many orders of magnitude; if the "
+                 "body flows far, set [Periodic state] Secular split = on.";
     else
       message << " If \"projected sor\" or \"active set\" took as many "
                  "iterations as [Contact] Maximum iterations allows, raise it; "
                  "otherwise try another [Contact] Solver or [Linear solver] "
-                 "Type (\"amg\" and \"gmg\" round least; "
-                 "they know no singular functions), or a larger [Contact] "
-                 "Tolerance.";
+                 "Type (\"amg\" and \"gmg\" have the smallest rounding errors, "
+                 "but no singular functions), or a larger [Contact] Tolerance.";
     throw NumericalError(message.str());
   }
 

@@ -122,7 +122,7 @@ namespace Crevasse
             "No relaxation factor was found with which SOR converges within "
             "[Contact] Maximum iterations = " +
             std::to_string(maximum_iterations) +
-            ". Raise it, or give the factor as a number.");
+            ". Raise it, or set Relaxation factor to a number.");
       }
 
     // Fine search: golden section between the neighbours of the best.

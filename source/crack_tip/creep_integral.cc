@@ -136,20 +136,18 @@ namespace Crevasse
     const double material_ends = end_of_material(region, body.space, recovery);
     if (material_ends == 0.)
       throw SceneError(
-        "[Crack tip] Creep integral = true: the cells at the "
-        "crack tip " +
+        "[Crack tip] Creep integral = true: the cells at the crack tip " +
         Text::from_point(tip.position) +
-        " have different materials, so that the integral "
-        "depends on the curve. Set it to false.");
+        " have different materials, so that the integral depends on the path. "
+        "Set it to false.");
     const double size = region.square(scene.crack_tip.radius, material_ends);
     constexpr double rounding = 1e-10;
     if (size < 2. * region.cell_radius * (1. - rounding))
       throw SceneError(Text::format(
         "[Crack tip] Creep integral = true: the cells at the crack tip reach "
-        "to "
-        "%g, and the square of the integral to %g, which must be twice as far. "
-        "Make these cells smaller ([Refinement] Strategy = tip), or change "
-        "Radius.",
+        "%g from it, but the square of the integral reaches %g instead of "
+        "twice as far. Make these cells smaller ([Refinement] Strategy = tip), "
+        "or change Radius.",
         region.cell_radius,
         size));
     double next = size;

@@ -106,11 +106,10 @@ namespace Crevasse
     const std::vector<FrontEdge> edges = oriented_crack_front(mesh, roles);
     if (edges.empty())
       throw SceneError(wanted_by +
-                       ": the mesh has no crack front, where faces of the lip "
-                       "([Boundary] Contact) go straight on as faces of the "
-                       "plane of symmetry ([Boundary] Symmetry), or where the "
-                       "lips of a [Boundary] Crack meet. Give the body "
-                       "a crack, or turn this off.");
+                       ": the mesh has no crack front, where a lip ([Boundary] "
+                       "Contact) continues as a plane of symmetry ([Boundary] "
+                       "Symmetry), or where the lips of a [Boundary] Crack "
+                       "meet. Give the body a crack, or turn this off.");
     two_lips = edges.front().two_lips;
     for (const FrontEdge &edge : edges)
       if (edge.two_lips != two_lips)
@@ -211,14 +210,14 @@ namespace Crevasse
             throw SceneError(
               wanted_by + ": the crack front meets the boundary at " +
               Text::from_point(end) +
-              " at another angle than a right one, where K is not known. Let "
+              " at an angle other than 90 degrees, where K is not known. Let "
               "the front end at right angles, or turn this off.");
           along = normal * tangent > 0. ? normal : -normal;
         }
     if (along.norm() == 0.)
       throw SceneError(
         wanted_by + ": the crack front ends within the body at " +
-        Text::from_point(end) + ". Look at the roles of the boundaries.");
+        Text::from_point(end) + ". Check the roles of the boundaries.");
     return along;
   }
 

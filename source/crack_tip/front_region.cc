@@ -67,9 +67,10 @@ namespace Crevasse
                               Utilities::MPI::min(end, space.communicator()));
     if (largest_radius < cell_radius * (1. - 1e-8))
       throw SceneError(
-        wanted_by + ": the cells at the crack front reach to " +
+        wanted_by + ": the cells at the crack front reach " +
         Text::from_number(cell_radius) +
-        " around it, but another boundary begins, or the front curves, at " +
+        " from it, but another boundary, or the curvature of the front, limits "
+        "K to " +
         Text::from_number(largest_radius) +
         ". Make these cells smaller ([Geometry] Subdivisions or the mesh "
         "file, or [Refinement] Strategy = tip).");
@@ -131,8 +132,7 @@ namespace Crevasse
         wanted_by +
         ": the crack front is a polygon whose corners the refined mesh "
         "resolves, and K_I is not smooth there. Use a finer mesh file and "
-        "fewer "
-        "[Refinement] Cycles or [Geometry] Refinements.");
+        "fewer [Refinement] Cycles or [Geometry] Refinements.");
     std::vector<Vertex> all;
     for (const auto &n : of_all_ranks(communicator, found))
       all.push_back({Point<3>(n[0], n[1], n[2]),
@@ -173,10 +173,10 @@ namespace Crevasse
           vertices[v].before = vertices[v - 1].after =
             vertices[v].s - vertices[v - 1].s;
         if (curve.two_lips && end - begin < 3)
-          throw SceneError(wanted_by + ": the crack front at " +
-                           Text::from_point(vertices[begin].point) +
-                           " has one element, where K_III needs two. Use a "
-                           "finer mesh.");
+          throw SceneError(
+            wanted_by + ": the crack front at " +
+            Text::from_point(vertices[begin].point) +
+            " has one element, but K_III needs two. Use a finer mesh.");
         if (curve.chains()[vertices[begin].chain].is_closed)
           vertices[begin].before = vertices[end - 1].after =
             length(vertices[begin]) - vertices[end - 1].s;

@@ -88,11 +88,11 @@ namespace Crevasse
     tip["growth_law"] = text;
     tip["da_dN"]      = growth; // null if not finite
     if (!std::isfinite(growth))
-      tip["no_da_dN"] = "the law gives no finite growth";
+      tip["no_da_dN"] = "the growth law gives no finite growth";
     tip["da_dt"] = growth / history.period();
     log.line(title + "grows by " + Text::from_number(growth, 5) +
              " a period (" + text +
-             (parts.has_paris_part ? "; dK takes K < 0 as 0)" : ")"));
+             (parts.has_paris_part ? "; in dK, K < 0 counts as 0)" : ")"));
   }
 
 

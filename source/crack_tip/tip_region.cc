@@ -76,9 +76,9 @@ namespace Crevasse
     if (end < cell_radius * (1. - rounding))
       throw SceneError(
         "[Crack tip]: the cells at the crack tip " +
-        Text::from_point(tip.position) + " reach to " +
+        Text::from_point(tip.position) + " reach " +
         Text::from_number(cell_radius) +
-        " around it, but another boundary begins at " + Text::from_number(end) +
+        " from it, but another boundary begins at " + Text::from_number(end) +
         ". Make these cells smaller ([Geometry] Subdivisions or Refinements, "
         "or [Refinement] Strategy = tip).");
   }

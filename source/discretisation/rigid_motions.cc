@@ -280,7 +280,7 @@ namespace Crevasse
         throw SceneError("[Geometry] Mesh file: the mesh falls into " +
                          std::to_string(parts.n_parts) +
                          " parts that share no face; at most 300 are allowed. "
-                         "Are the nodes of neighbouring cells merged?");
+                         "Merge the nodes of neighbouring cells.");
       return parts;
     }
 
@@ -347,9 +347,9 @@ namespace Crevasse
       throw NumericalError(
         "Unconstrained rigid-body motions:\n  " +
         Text::join(names_of(sliding, parts), "\n  ") +
-        "\nContact does not stop them: they open or close a lip by less "
-        "than a thousandth of their size. Hold each part that moves by "
-        "[Boundary] Clamped, Symmetry or Fixed points, which are vertices: " +
+        "\nContact does not stop them: they open or close a lip by less than a "
+        "thousandth of their size. Hold each part that moves by [Boundary] "
+        "Clamped, Symmetry or Fixed points (vertices of the mesh): " +
         (dim == 2 ? "\"x, y; X, y: 2\""
                   : "\"x, y, z; X, y, z: 2, 3; x, Y, z: 3\"") +
         " stop all motions of a free part." + ids_without_role(space));
@@ -374,9 +374,9 @@ namespace Crevasse
       throw NumericalError(
         "Unconstrained rigid-body motions:\n  " +
         Text::join(names_of(free, parts), "\n  ") +
-        "\nContact could stop them, but no load presses a lip that does: "
-        "nothing tells where the part is. Hold it by [Boundary] Clamped, "
-        "Symmetry or Fixed points, or load it.");
+        "\nContact could stop them, but no load presses a lip that does: the "
+        "position is undetermined. Hold the body by [Boundary] Clamped, "
+        "Symmetry or Fixed points, or press it on its lips.");
   }
 
 

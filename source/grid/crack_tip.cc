@@ -162,12 +162,12 @@ namespace Crevasse
   {
     const std::vector<CrackTip> tips = find_crack_tips(mesh, roles);
     if (tips.empty())
-      throw SceneError(wanted_by +
-                       ": the mesh has no crack tip, a vertex where a face of "
-                       "the lip ([Boundary] Contact) goes straight on as one "
-                       "of the plane of symmetry ([Boundary] Symmetry), or "
-                       "where the lips of a [Boundary] Crack meet. Give "
-                       "the body a crack, or turn this off.");
+      throw SceneError(
+        wanted_by +
+        ": the mesh has no crack tip, a vertex where a lip ([Boundary] "
+        "Contact) continues as a plane of symmetry ([Boundary] Symmetry), or "
+        "where the lips of a [Boundary] Crack meet. Give the body a crack, or "
+        "turn this off.");
     if (std::all_of(tips.begin(), tips.end(), [](const CrackTip &tip) {
           return tip.two_lips;
         }))
@@ -176,8 +176,8 @@ namespace Crevasse
       if (tip.two_lips)
         throw SceneError(wanted_by + ": the crack at " +
                          Text::from_point(tip.position) +
-                         " has two lips ([Boundary] Crack), where one on a "
-                         "plane of symmetry is needed. Turn this off.");
+                         " has two lips ([Boundary] Crack), but this needs one "
+                         "lip on a plane of symmetry. Turn this off.");
     if (tips.size() > 1)
       {
         std::vector<std::string> places;
@@ -186,8 +186,8 @@ namespace Crevasse
         throw SceneError(wanted_by + ": the mesh has " +
                          std::to_string(tips.size()) + " crack tips, at " +
                          Text::join(places, " and ") +
-                         ", where one is allowed. Model a part with one of "
-                         "them, using symmetry, or turn this off.");
+                         ", but one is allowed. Model a part with one tip, "
+                         "using symmetry, or turn this off.");
       }
     return tips;
   }

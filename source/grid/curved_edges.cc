@@ -42,7 +42,7 @@ namespace Crevasse
           "the node at " + Text::from_point(middle) +
           " is not near the middle of " + edge +
           ", as in quarter-point elements, which are not implemented; for "
-          "crack tips there are [Discretisation] Singular functions.");
+          "crack tips use [Discretisation] Singular functions.");
       if (height < straight)
         return {};
       const double square = along * along + height * height;

@@ -153,9 +153,9 @@ namespace Crevasse
               std::to_string(element.group) + ", which has " +
               std::to_string(n) + (n == 1 ? " element" : " elements") +
               ", cannot open at element " + std::to_string(element.number) +
-              ", since it ends at all nodes of that; a crack needs nodes "
-              "between its ends: refine the mesh along it, to at least two "
-              "elements across it in each direction");
+              ", because the crack ends at all nodes of this element; refine "
+              "the mesh along the crack to at least two elements in each "
+              "direction");
           }
     }
 

@@ -278,9 +278,9 @@ namespace Crevasse
               catch (const std::exception &)
                 {
                   throw SceneError(
-                    "deal.II knows no format of this ending, or finds another "
-                    "one in the file; convert it to a Gmsh file, for example "
-                    "by meshio.");
+                    "deal.II knows no format with this file name extension, or "
+                    "the file has another format; convert it to a Gmsh file, "
+                    "for example with meshio.");
                 }
           });
           if (is_gmsh)
@@ -294,8 +294,8 @@ namespace Crevasse
             "\nAllowed: " +
             (dim == 2 ? "quadrilaterals in the plane x-y" : "hexahedra") +
             ", in a Gmsh file (.msh, format 2 or 4) of first or second order, "
-            "or linear ones in another format that deal.II knows by the end "
-            "of the file's name.");
+            "or linear ones in another format that deal.II recognises by the "
+            "file name extension.");
         }
       require_convex_cells(triangulation, where);
     }

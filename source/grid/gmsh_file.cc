@@ -48,8 +48,8 @@ namespace Crevasse
                              ": between the nodes " +
                              std::to_string(edge.first) + " and " +
                              std::to_string(edge.second) +
-                             " another element has another node, at " +
-                             Text::from_point(other) + " and not at " +
+                             " another element has a different node, at " +
+                             Text::from_point(other) + " instead of " +
                              Text::from_point(place));
         }
     }
@@ -146,7 +146,7 @@ namespace Crevasse
         throw SceneError(what + " belongs to the physical groups " +
                          std::to_string(groups[0]) + " and " +
                          std::to_string(groups[1]) +
-                         "; each belongs to one at most");
+                         "; it must belong to at most one");
       if (!groups.empty() && groups[0] < 0)
         throw SceneError(what + " belongs to the physical group " +
                          std::to_string(groups[0]) +
@@ -287,8 +287,8 @@ namespace Crevasse
       if (child > 0 && waitpid(child, &status, 0) == child &&
           WIFSIGNALED(status))
         throw SceneError(
-          "Gmsh crashes while it reads the file, which must be "
-          "damaged: write it again");
+          "Gmsh crashes while it reads the file, which is probably damaged: "
+          "write it again");
     }
   } // namespace
 
@@ -325,8 +325,7 @@ namespace Crevasse
     catch (const std::bad_alloc &)
       {
         throw SceneError(
-          "it announces more nodes or elements than memory "
-          "holds");
+          "it announces more nodes or elements than memory holds");
       }
     if (mesh.cells.empty())
       throw SceneError(
@@ -335,8 +334,8 @@ namespace Crevasse
         ", which are the cells with Dimension = " + std::to_string(dim) +
         (mesh.boundary.empty()
            ? ""
-           : std::string(". If there are physical groups, Gmsh saves nothing "
-                         "else: give the body one too, as by Physical ") +
+           : std::string(". Gmsh saves only physical groups if there are any: "
+                         "put the body into one too, as by Physical ") +
                (dim == 2 ? "Surface" : "Volume") + "(\"body\", 1) = {1}"));
     cut_cracks(cracks, mesh);
     check_faces(mesh.cells, mesh.boundary);

@@ -96,14 +96,13 @@ namespace Crevasse
         throw_error(
           face, "are no face of a cell; only faces of cells can be boundary");
       if (end - begin > 1)
-        throw_error(
-          face,
-          "are a face within the body, between the elements " +
-            std::to_string(begin->element) + " and " +
-            std::to_string((begin + 1)->element) +
-            "; only its surface can be boundary (Gmsh: physical groups of "
-            "the surface alone, Mesh.SaveAll = 0), and a crack that [Boundary] "
-            "Crack names");
+        throw_error(face,
+                    "are a face within the body, between the elements " +
+                      std::to_string(begin->element) + " and " +
+                      std::to_string((begin + 1)->element) +
+                      "; only its surface can be boundary (Gmsh: physical "
+                      "groups of the surface alone, Mesh.SaveAll = 0), and a "
+                      "crack that [Boundary] Crack names");
     }
   } // namespace
 
@@ -153,8 +152,8 @@ namespace Crevasse
           face.nodes == before.nodes && face.group != before.group)
         throw_error(face,
                     "have the boundary id " + std::to_string(face.group) +
-                      ", but in the element " + std::to_string(before.element) +
-                      " " + std::to_string(before.group) +
-                      "; each belongs to one physical group at most");
+                      ", but in element " + std::to_string(before.element) +
+                      " the id " + std::to_string(before.group) +
+                      "; each belongs to at most one physical group");
   }
 } // namespace Crevasse

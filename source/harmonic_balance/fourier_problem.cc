@@ -41,8 +41,8 @@ namespace Crevasse
           "[Periodic state] Method = march");
       if (body.law.has_spring())
         found.push_back(
-          "the fractions of [Material] Chain have a sum below 1, "
-          "and the spring that is left bears the mean load" +
+          "the fractions of [Material] Chain have a sum below 1, and the "
+          "remaining spring bears the mean load" +
           instead);
       if (!found.empty())
         return found;
@@ -152,15 +152,14 @@ namespace Crevasse
                     "; use [Periodic state] Method = march");
     if (scene.time_integration.step_control != StepControlType::uniform)
       all.emplace_back(
-        "harmonics need equal steps; set [Time integration] Step "
-        "control = uniform, or use [Periodic state] Method = "
-        "anderson");
+        "harmonics need equal steps; set [Time integration] Step control = "
+        "uniform, or use [Periodic state] Method = anderson");
     for (unsigned int k = 1; k <= steps.n_steps(); ++k)
       if (steps.jumps_at(steps.instant(k)))
         {
           all.push_back("loads or temperatures jump at t = " +
                         Text::from_number(steps.instant(k)) +
-                        ", where one sample has no value for both sides; use "
+                        ", where harmonic balance would need two values; use "
                         "[Periodic state] Method = anderson");
           break;
         }

@@ -274,8 +274,9 @@ namespace Crevasse
       if (!std::isfinite(sum))
         throw NumericalError(
           "The openings and compliances of the crack lip under harmonics are "
-          "not finite. Look for moduli or relaxation times that differ by many "
-          "orders of magnitude, or use [Periodic state] Method = anderson.");
+          "not finite. Check for moduli or relaxation times that differ by "
+          "many orders of magnitude, or use [Periodic state] Method = "
+          "anderson.");
     }
   } // namespace
 
@@ -330,8 +331,7 @@ namespace Crevasse
     if (!is_solved || solution.certificate.worst() > options.tolerance)
       throw NumericalError(
         Text::Message()
-        << "The contact problem of the periodic motion was not solved "
-           "to "
+        << "The contact problem of the periodic motion was not solved to "
         << options.tolerance << " by " << solution.n_sets
         << " active sets: " << solution.certificate.describe()
         << ". Check the moduli of [Material] for extreme contrasts, or "

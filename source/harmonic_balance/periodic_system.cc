@@ -246,10 +246,10 @@ namespace Crevasse
         constexpr unsigned int largest_factor = 6000;
         if (m > largest_factor)
           throw NumericalError(
-            "The equations of " + std::to_string(m) +
-            " closed nodes and instants did not converge by GMRES: the "
-            "relaxation times and the period are too far apart. Try fewer "
-            "instants, or [Periodic state] Method = anderson.");
+            "GMRES for " + std::to_string(m) +
+            " closed nodes and instants did not converge: the relaxation times "
+            "and the period are too far apart. Use fewer [Time integration] "
+            "Steps per period, or [Periodic state] Method = anderson.");
         try
           {
             if (matrix.m() == 0)

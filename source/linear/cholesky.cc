@@ -213,7 +213,7 @@ namespace Crevasse
         "CHOLMOD: the stiffness is not positive definite (pivot " +
         std::to_string(L->minor) + " of " + std::to_string(A.nrow) +
         "). Check the moduli of [Material], the supports of [Boundary], and "
-        "the mesh for inverted cells or parts that hang together by nothing.");
+        "the mesh for inverted cells or unconnected parts.");
     substitution.emplace(*L);
     work.resize(A.nrow);
   }

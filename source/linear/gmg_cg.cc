@@ -284,7 +284,7 @@ namespace Crevasse
   {
     const unsigned int n = levels->n_levels();
     return "matrix-free geometric multigrid of " + std::to_string(n) +
-           (n == 1 ? " level (a mesh without coarser ones: all is " +
+           (n == 1 ? " level (the mesh has no coarser one; solved by " +
                        coarsest_solver->description() + ")"
                    : " levels");
   }

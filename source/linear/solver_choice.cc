@@ -70,7 +70,7 @@ namespace Crevasse
       choose_matrix_solver(dimension, n_unknowns, n_ranks);
     if (choice.type == LinearSolverType::amg && has_coarser_meshes)
       return {LinearSolverType::gmg,
-              choice.why + ", on a mesh that has coarser ones"};
+              choice.why + ", and the mesh has coarser levels"};
     return choice;
   }
 

@@ -131,9 +131,9 @@ namespace Crevasse
   describe_unmatched(const Point<dim> &centre)
   {
     return "[Boundary] Crack: the face at " + Text::from_point(centre) +
-           " has no partner: each face of a crack must lie on one of the other "
-           "lip. Use a Gmsh file that has the crack as a physical group of "
-           "faces within the body, along which it is cut; or [Boundary] "
+           " has no partner: each face of a crack must lie on a face of the "
+           "other lip. Use a Gmsh file that has the crack as a physical group "
+           "of faces within the body, along which it is cut; or [Boundary] "
            "Contact for a lip that touches a rigid plane.";
   }
 

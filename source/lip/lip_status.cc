@@ -31,7 +31,7 @@ namespace Crevasse
         return moment.instant <= instant;
       });
     if (begin->status != LipStatus::open)
-      return {0., "the lip is not wholly open at the largest intensity"};
+      return {0., "the lip is not wholly open at the largest stress intensity"};
     // The motion is periodic: the last period ended like this one.
     const auto is_pressed = [](const LipMoment &moment) {
       return moment.status != LipStatus::open;

@@ -124,7 +124,9 @@ namespace Crevasse
       }
     catch (const ExceptionBase &)
       {
-        throw NumericalError("A matrix of [Material] is singular.");
+        throw NumericalError(
+          "A matrix of [Material] is singular. Check its entries and their "
+          "order.");
       }
     return symmetric_part<dim>(full, places);
   }
@@ -152,8 +154,8 @@ namespace Crevasse
       {
         throw NumericalError(
           "A matrix I + c K H of the implicit time scheme is singular to "
-          "rounding: a step is too many relaxation times long. Take shorter "
-          "steps or slower flow.");
+          "rounding: the step is too long for the relaxation times. Take "
+          "shorter steps.");
       }
     return symmetric_part<dim>(columns, places);
   }
@@ -325,8 +327,8 @@ namespace Crevasse
     const double size = rate.norm();
     if (!std::isfinite(size))
       throw NumericalError(
-        "The relaxation of a material over a step is not finite: a step is "
-        "too many relaxation times long. Take shorter steps or slower flow.");
+        "The relaxation of a material over a step is not finite: the step is "
+        "too long for the relaxation times. Take shorter steps.");
     // Below ½ the series has all its digits after 14 terms.
     int doublings = 0;
     if (size > 0.5)

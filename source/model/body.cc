@@ -75,15 +75,16 @@ namespace Crevasse
                 const double size   = cell_size_at(tip, mesh);
                 const double radius = straight_length(mesh, roles, tip);
                 if (radius < fewest_cells * size * (1. - 1e-10))
-                  throw SceneError(
-                    wanted_by + ": from its tip " +
-                    Text::from_point(tip.position) +
-                    " the crack is straight and alone for " +
-                    Text::from_number(radius) +
-                    ", less than two cells there of the size " +
-                    Text::from_number(size) +
-                    ". Make the cells smaller ([Geometry] Refinements or "
-                    "[Refinement] Strategy = tip), or set it to 0.");
+                  throw SceneError(wanted_by + ": at the crack tip " +
+                                   Text::from_point(tip.position) +
+                                   " the crack is straight and away from other "
+                                   "boundaries for " +
+                                   Text::from_number(radius) +
+                                   ", less than two cells of the size " +
+                                   Text::from_number(size) +
+                                   ". Make the cells smaller ([Geometry] "
+                                   "Refinements or [Refinement] Strategy = "
+                                   "tip), or set Singular functions = 0.");
                 const SingularFunctions of_tip = make_singular_functions(
                   n,
                   tip,
@@ -112,16 +113,16 @@ namespace Crevasse
           const auto built_in = built_in_roles(scene.geometry).loaded;
           const bool is_taken =
             !built_in.empty() && scene.boundary.loaded->is_automatic;
-          throw SceneError(std::string("[Loads] ") + force.parameter + " = " +
-                           force.components.text() +
-                           ": no boundary has the role Loaded that could bear "
-                           "it; set [Boundary] Loaded, or the " +
-                           force.effect + " to 0." +
-                           (is_taken
-                              ? " That of this shape is the boundary id " +
-                                  std::to_string(*built_in.begin()) +
-                                  ", which has another role."
-                              : ""));
+          throw SceneError(
+            std::string("[Loads] ") + force.parameter + " = " +
+            force.components.text() +
+            ": no boundary has the role Loaded; set [Boundary] Loaded, or "
+            "the " +
+            force.effect + " to 0." +
+            (is_taken ? " The default of this shape is the boundary id " +
+                          std::to_string(*built_in.begin()) +
+                          ", which has another role."
+                      : ""));
         }
     return roles;
   }
@@ -193,10 +194,9 @@ namespace Crevasse
            scene.refinement.strategy != RefinementStrategy::none))
         throw SceneError(
           "[Geometry] Mesh file = " + scene.geometry.mesh_file +
-          ": in space a mesh with curved edges cannot be refined; make the "
-          "file finer, with [Geometry] Refinements = 0 and [Refinement] "
-          "Strategy = "
-          "none.");
+          ": in three dimensions the program cannot refine a mesh with curved "
+          "edges; use a finer mesh file, with [Geometry] Refinements = 0 and "
+          "[Refinement] Strategy = none.");
       return mesh;
     };
     return scene.refinement.strategy == RefinementStrategy::tip
@@ -292,13 +292,12 @@ namespace Crevasse
     const auto stiffness = limit_at(tip, mesh, law.stiffness, temperature, t);
     if (!stiffness)
       throw SceneError(where +
-                       " is not the same on all sides of it: the fields "
-                       "of a crack between two materials are others.");
+                       " is not the same on all sides of it: a crack between "
+                       "two materials has other fields.");
     if (!PlaneElasticity::is_isotropic(*stiffness))
       throw SceneError(where +
-                       " is not isotropic, but the fields around a tip "
-                       "are known to this program for isotropic "
-                       "bodies only.");
+                       " is not isotropic, but this program knows the fields "
+                       "around a tip for isotropic bodies only.");
     return PlaneElasticity(*stiffness);
   }
 

@@ -46,15 +46,14 @@ namespace Crevasse
       if (entries <= most_entries_of_ml)
         return;
       throw SceneError(
-        "[Linear solver] Type: amg is at its end with about " +
-        std::to_string(std::lround(1e-6 * entries)) +
-        " million entries of the stiffness on a process (at most " +
+        "[Linear solver] Type: amg fails beyond about " +
         std::to_string(std::lround(1e-6 * most_entries_of_ml)) +
-        " million; the mesh has " + Text::from_number(n_unknowns) +
-        " unknowns). " +
+        " million entries of the stiffness on a process; this mesh has about " +
+        std::to_string(std::lround(1e-6 * entries)) + " million (" +
+        Text::from_number(n_unknowns) + " unknowns). " +
         (scene.contact.needs_matrix() ? "Set [Contact] Solver = automatic "
-                                        "without Relaxation table, and take"
-                                      : "Take") +
+                                        "without Relaxation table, and use"
+                                      : "Use") +
         " Type = gmg with fewer [Geometry] Subdivisions and "
         "more Refinements, or at least " +
         std::to_string(
@@ -148,8 +147,8 @@ namespace Crevasse
       if (parameters.solver == Type::condensed_active_set && n_bounds > 0 &&
           traits(linear_solver).is_multigrid)
         throw SceneError(
-          "[Contact] Solver = condensed active set needs a factor. Set [Linear "
-          "solver] Type = cholesky or mumps, or Solver = active set.");
+          "[Contact] Solver = condensed active set needs a factorisation. Set "
+          "[Linear solver] Type = cholesky or mumps, or Solver = active set.");
       if (parameters.solver != Type::automatic)
         return {parameters.solver,
                 "[Contact] Solver = " + name_of(parameters.solver)};
@@ -160,7 +159,8 @@ namespace Crevasse
       const std::string     n           = std::to_string(largest_lip);
       if (traits(linear_solver).is_multigrid)
         return {Type::active_set,
-                "automatic: without a factor nothing can be condensed"};
+                "automatic: the linear solver makes no factor, which "
+                "condensation needs"};
       if (must_condense)
         return {Type::condensed_active_set,
                 "automatic: contact alone holds parts of the body"};
@@ -190,8 +190,8 @@ namespace Crevasse
         (scene.output.elastic_comparison == ComparedLip::open ||
          !scene.contact.relaxation_table.empty()))
       throw SceneError(
-        "[Output] Elastic comparison = open and [Contact] Relaxation table are "
-        "about the body without contact, but " +
+        "[Output] Elastic comparison = open and [Contact] Relaxation table "
+        "solve for the body without contact, but " +
         what_contact_holds(body.held_by_contact) +
         ". Leave both out, or hold the body by [Boundary] Clamped, Symmetry or "
         "Fixed points.");
@@ -199,14 +199,13 @@ namespace Crevasse
       {
         if (contact.type == ContactSolverType::projected_sor && n_bounds > 0)
           throw SceneError(
-            "[Contact] Solver = projected sor works on one process only, from "
-            "unknown to unknown. Set Solver = automatic, or start the program "
-            "without mpirun.");
+            "[Contact] Solver = projected sor works on one process only. Set "
+            "Solver = automatic, or start the program without mpirun.");
         if (!scene.contact.relaxation_table.empty())
           throw SceneError(
-            "[Contact] Relaxation table: projected SOR, whose iterations it "
-            "counts, works on one process only. Leave the table empty, or "
-            "start the program without mpirun.");
+            "[Contact] Relaxation table: the table is of projected SOR, which "
+            "works on one process only. Leave it empty, or start the program "
+            "without mpirun.");
       }
     return {linear, contact};
   }
@@ -283,12 +282,11 @@ namespace Crevasse
       " cells (" + Text::from_number(unknowns) + " unknowns) needs at least " +
       gigabytes(Utilities::MPI::max(all, communicator)) +
       " of memory with the linear solver " + solver.describe() +
-      ", on a machine that has " +
+      ", but the machine has " +
       gigabytes(Utilities::MPI::min(there, communicator)) +
-      " left. Take fewer Subdivisions or Refinements, in space fewer of the "
-      "one "
-      "and more of the other with [Linear solver] Type = gmg, or processes on "
-      "more machines.");
+      " left. Use fewer Subdivisions or Refinements; in three dimensions fewer "
+      "Subdivisions, more Refinements and [Linear solver] Type = gmg; or "
+      "processes on more machines.");
   }
 
 

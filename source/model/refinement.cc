@@ -208,17 +208,17 @@ namespace Crevasse
     const CrackFront<dim>            front = crack_front<dim>(*mesh, roles);
     if (front.empty())
       throw SceneError(
-        "[Refinement] Strategy = tip: the mesh has no crack tip, where faces "
-        "of the lip ([Boundary] Contact) go straight on as faces of a plane of "
-        "symmetry, or where the lips of a [Boundary] Crack meet; use adaptive "
-        "or none, or look at the roles of the "
-        "boundaries.");
+        "[Refinement] Strategy = tip: the mesh has no crack tip, where a lip "
+        "([Boundary] Contact) continues as a plane of symmetry ([Boundary] "
+        "Symmetry), or where the lips of a [Boundary] Crack meet; use adaptive "
+        "or none, or check the roles of the boundaries.");
     const unsigned int begin = mesh->n_global_levels() - 1;
     if (begin + parameters.cycles > finest_level<dim>)
       throw SceneError(
         "[Refinement] Cycles = " + std::to_string(parameters.cycles) +
         ": must be at most " + std::to_string(finest_level<dim> - begin) +
-        " here; smaller cells have no coordinates of their own.");
+        " for this mesh; the coordinates of smaller cells are equal to "
+        "rounding.");
     unsigned int n_levels =
       parameters.cycles > 0 ? parameters.cycles : finest_level<dim> - begin;
     if (parameters.target_unknowns > 0)

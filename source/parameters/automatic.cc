@@ -22,7 +22,8 @@ namespace Crevasse
         resolve_roles(scene.boundary, built_in_roles(scene.geometry));
       if (roles.contact.count(BoundaryIds::lip) == 0 ||
           roles.symmetry.count(BoundaryIds::ligament) == 0)
-        return "[Boundary] Contact or Symmetry are not those of the shape";
+        return "[Boundary] Contact or Symmetry differs from the default of the "
+               "shape";
       if (scene.material.viscosity == ViscosityType::power_law)
         return "creep by a power law has another singularity";
       if (scene.refinement.readapt_every > 0)
@@ -72,8 +73,8 @@ namespace Crevasse
   obstacle_to_singular_functions(const Scene &scene)
   {
     const char *const in_the_plane =
-      ": they are those of a crack tip in the "
-      "plane; use [Refinement] Strategy = tip";
+      ": these functions are for a crack tip in the plane; use [Refinement] "
+      "Strategy = tip";
     if (scene.dimension == 3)
       return {"Dimension = 3", in_the_plane};
     if (scene.is_axisymmetric())
@@ -83,7 +84,8 @@ namespace Crevasse
               "; use Degree = 2 instead of mean dilatations"};
     if (const auto type = scene.linear_solver.type; traits(type).is_multigrid)
       return {"[Linear solver] Type = " + name_of(type),
-              ": they couple all unknowns; use automatic, cholesky or mumps"};
+              ": these functions couple all unknowns; use automatic, cholesky "
+              "or mumps"};
     if (const auto &gap = scene.boundary.gap; gap.is_valid() && !gap->is_zero())
       return {"[Boundary] Gap = " + gap.text(),
               ": a crack that is open without load may close at its tip, which "

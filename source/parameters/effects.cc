@@ -23,7 +23,7 @@ namespace Crevasse
       const std::string by = describe_variation({factor}, temperature_varies);
       return {name,
               !by.empty(),
-              by.empty() ? "nothing of the " + property + " depends on time"
+              by.empty() ? "the " + property + " does not depend on time"
                          : "by a factor: " + by};
     }
 
@@ -69,8 +69,8 @@ namespace Crevasse
       if (scene.material.viscosity == ViscosityType::power_law)
         return "creep by a power law has another singularity";
       if (scene.is_axisymmetric() && !creeps_in_proportion(scene.material))
-        return "the viscosity of the ring is not in proportion to its "
-               "stiffness";
+        return "the body is axisymmetric, and its viscosity is not "
+               "proportional to its stiffness";
       return "";
     }
 

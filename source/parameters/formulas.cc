@@ -104,7 +104,7 @@ namespace Crevasse
       Variables::space,
       {-Ranges::largest,
        0.,
-       "at most 0: the lip moves away from the crack plane only"})(text);
+       "at most 0; negative values open the unloaded crack"})(text);
   }
 
 
@@ -143,8 +143,8 @@ namespace Crevasse
       }
     constexpr double rounding = 1e-12;
     if (sum > 1. + rounding)
-      throw SceneError("the fractions add up to " + Text::from_number(sum) +
-                       "; they must not exceed 1, the whole stiffness");
+      throw SceneError("the sum of the fractions is " + Text::from_number(sum) +
+                       "; it must not exceed 1, the whole stiffness");
     return branches;
   }
 
@@ -156,8 +156,8 @@ namespace Crevasse
     const std::string suffix = Text::suffix(text);
     if (suffix == ".pvd" || suffix == ".vtu" || suffix == ".pvtu")
       throw SceneError(
-        "fields of other programs are converted before they are read: "
-        "\"crevasse temperature " +
+        "fields of other programs must be converted first: \"crevasse "
+        "temperature " +
         text + " --output temperature.h5\"");
     if (Temperature<2>::is_file(text))
       return {};

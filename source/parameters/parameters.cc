@@ -60,25 +60,26 @@ namespace Crevasse
       "Mesh file",
       mesh_file,
       "Mesh of quadrilaterals (in three dimensions: of hexahedra) with "
-      "boundary ids, for the shape \"mesh file\". It is looked for next to the "
-      "scene file first, then in the working directory. Elements of second "
-      "order in a Gmsh file (Mesh.ElementOrder = 2) make edges arcs of "
-      "circles: cells are curved with Degree = 2, in the plane also when they "
-      "are divided. Allowed: a Gmsh file (.msh) or another format that deal.II "
+      "boundary ids, for Shape = mesh file. The program looks for the file "
+      "next to the scene file, then in the working directory. Second-order "
+      "elements of a Gmsh file (Mesh.ElementOrder = 2) have circular arcs as "
+      "edges: with Degree = 2 cells are curved, in the plane also after "
+      "refinement. Allowed: a Gmsh file (.msh) or another format that deal.II "
       "reads");
     subdivisions.add_parameter(
       "Subdivisions",
-      "Numbers of cells along x and y (and z) of a built-in shape, before "
-      "refinement. Where equal cells do not meet the crack tip, the two sides "
-      "of it are divided separately. \"automatic\": squares of a seventh (in "
-      "space of a quarter) of crack or ligament, but at most 64 (24) cells in "
-      "a direction. Allowed: automatic, or as many integers of at least 1 as "
-      "dimensions, separated by commas",
+      "Numbers of cells of a built-in shape along x and y (and z), before "
+      "refinement. If equal cells put no vertex at the crack tip, crack and "
+      "ligament are divided separately. \"automatic\": squares with sides of "
+      "1/7 (in three dimensions 1/4) of the shortest of crack, ligament and "
+      "height, but at most 64 (24) cells in a direction. Allowed: automatic, "
+      "or as many integers of at least 1 as dimensions, separated by commas",
       prm);
-    prm.add_parameter("Refinements",
-                      refinements,
-                      "How often all cells are halved in each direction.",
-                      Patterns::Integer(0, 12));
+    prm.add_parameter(
+      "Refinements",
+      refinements,
+      "Number of times that all cells are halved in each direction.",
+      Patterns::Integer(0, 12));
   }
 
 
@@ -87,26 +88,25 @@ namespace Crevasse
   BoundaryParameters::add_parameters(ParameterHandler &prm)
   {
     const std::string others =
-      " for a built-in shape, except ids that another role names, and none "
-      "for a mesh file";
+      " for a built-in shape, without ids that have another role, and none for "
+      "a mesh file";
     const std::string allowed =
-      ". Allowed: automatic, none, or boundary ids separated by commas; of a "
+      ". Allowed: automatic, none, or boundary ids separated by commas; for a "
       "Gmsh file also names of physical groups";
 
     clamped.add_parameter(
       "Clamped",
       "Boundary ids where the displacement is zero. Sides of built-in shapes: "
-      "0 left, 1 right, 2 bottom, except the crack lip, 3 top, 4 crack lip, 5 "
-      "z = 0, 6 z = Thickness. \"automatic\" is none" +
+      "0 left; 1 right; 2 bottom, except the crack lip; 3 top; 4 crack lip; 5 "
+      "z = 0; 6 z = Thickness. \"automatic\" is none" +
         allowed,
       prm);
-    symmetry.add_parameter(
-      "Symmetry",
-      "Boundary ids of symmetry planes: the normal displacement and the "
-      "tangential traction are zero. \"automatic\" is 2 (and 0 with a centre "
-      "crack)" +
-        others + allowed,
-      prm);
+    symmetry.add_parameter("Symmetry",
+                           "Boundary ids of symmetry planes: the normal "
+                           "displacement and the tangential traction are zero. "
+                           "\"automatic\" is 2 (and 0 with a centre crack)" +
+                             others + allowed,
+                           prm);
     loaded.add_parameter("Loaded",
                          "Boundary ids that carry the traction of the section "
                          "Loads. \"automatic\" is 3" +
@@ -114,34 +114,37 @@ namespace Crevasse
                          prm);
     contact.add_parameter(
       "Contact",
-      "Boundary ids of crack lips, which may open but not go through the crack "
-      "plane. \"automatic\" is 4 (none without a crack)" +
+      "Boundary ids of lips in contact with a rigid plane, such as the crack "
+      "plane of a symmetric body: they may open, but not penetrate it. "
+      "\"automatic\" is 4 (none without a crack)" +
         others + allowed,
       prm);
     crack.add_parameter(
       "Crack",
-      "Boundary ids of cracks with two lips, which may open but not go through "
-      "each other. A Gmsh file has a crack as a physical group of faces within "
-      "the body, along which the mesh is cut; in other meshes each face of one "
-      "lip lies on one of the other. \"automatic\" is none" +
+      "Boundary ids of cracks with two lips, which may open, but not penetrate "
+      "each other. In a Gmsh file a crack is a physical group of faces within "
+      "the body, along which the program cuts the mesh. Other meshes have both "
+      "lips: each face of one lip lies on a face of the other. \"automatic\" "
+      "is none" +
         allowed,
       prm);
     fixed_points.add_parameter(
       "Fixed points",
-      "Mesh vertices that are fixed against rigid-body motion, in all "
-      "directions or in the components, counted from 1, after a colon; "
-      "coordinates are in units of length. \"automatic\" prevents the motions "
-      "of a built-in shape along the crack plane that clamped sides and "
-      "symmetry planes allow, and is none for a mesh file. Allowed: automatic, "
-      "none, or a list such as 0, 0; 1, 0: 2",
+      "Mesh vertices with zero displacement, against rigid-body motion: "
+      "coordinates in units of length, and after a colon the numbers of the "
+      "fixed components, from 1; without a colon all components are fixed. "
+      "\"automatic\" prevents rigid-body motion of a built-in shape along the "
+      "crack plane where clamped sides and symmetry planes do not, and is none "
+      "for a mesh file. Allowed: automatic, none, or a list such as 0, 0; 1, "
+      "0: 2",
       prm);
-    gap.add_parameter("Gap",
-                      "The least normal displacement of the lip, of two lips "
-                      "against each other, in units of length: 0 for a crack "
-                      "that is closed when nothing is "
-                      "loaded, negative for one that stands open. Allowed: a "
-                      "formula of x, y, z with values of at most 0",
-                      prm);
+    gap.add_parameter(
+      "Gap",
+      "Lower bound of the normal displacement of the lip (of two lips relative "
+      "to each other), in units of length. 0: the unloaded crack is closed; "
+      "negative: it is open by this length. Allowed: a formula of x, y, z with "
+      "values of at most 0",
+      prm);
   }
 
 
@@ -154,10 +157,10 @@ namespace Crevasse
       " or a formula of x, y, z, t, theta, material with such values";
     const std::string positive = " Allowed: a number greater than 0" + formula;
     const std::string matrix =
-      "a symmetric matrix of numbers or formulas, its rows separated by "
-      "semicolons and the entries of a row by commas. Components: 11, 22, 12 "
-      "(plane stress), 11, 22, 33, 12 (plane stress or strain), 11, 22, 33, "
-      "12, 13, 23 (three dimensions), with engineering shear strains";
+      "a symmetric matrix of numbers or formulas: rows separated by "
+      "semicolons, entries by commas. Order of the components: 11, 22, 12 "
+      "(plane stress); 11, 22, 33, 12 (two dimensions); 11, 22, 33, 12, 13, 23 "
+      "(three dimensions). Shear strains are engineering strains";
     const std::string factor =
       " Allowed: a formula of t with values greater than 0";
 
@@ -174,31 +177,32 @@ namespace Crevasse
       prm);
     stiffness_matrix.add_parameter(
       "Stiffness matrix",
-      "Stiffness, in units of stress, instead of Young modulus and Poisson "
-      "ratio. Allowed: nothing, or " +
+      "Elastic stiffness in units of stress, instead of Young modulus and "
+      "Poisson ratio. Allowed: empty, or " +
         matrix,
       prm);
     stiffness_time_factor.add_parameter(
       "Stiffness time factor",
-      "Factor of the stiffness, the same everywhere: ageing that costs no "
-      "other factorisation. The viscosity does not follow it." +
+      "Factor of the stiffness, uniform in space: ageing that needs no further "
+      "factorisation. It does not change the viscosity." +
         factor,
       prm);
     add_selection("Viscosity", viscosity, prm);
     relaxation_time.add_parameter(
       "Relaxation time",
-      "Viscosity divided by stiffness, in units of time." + positive,
+      "Ratio of viscosity to stiffness, in units of time." + positive,
       prm);
     viscous_modulus.add_parameter(
       "Viscous modulus",
-      "Stress per rate of viscous strain under tension, in units of stress "
-      "times time." +
+      "Ratio of stress to viscous strain rate under uniaxial tension, in units "
+      "of stress times time." +
         positive,
       prm);
     viscous_poisson_ratio.add_parameter(
       "Viscous Poisson ratio",
-      "Ratio of lateral to axial viscous strain under tension; 0.5 keeps the "
-      "volume. Allowed: a number of at least -0.999, at most 0.5" +
+      "Ratio of lateral to axial viscous strain under uniaxial tension; with "
+      "0.5 viscous flow keeps the volume. Allowed: a number of at least "
+      "-0.999, at most 0.5" +
         formula,
       prm);
     creep_coefficient.add_parameter("Creep coefficient",
@@ -207,35 +211,34 @@ namespace Crevasse
                                     "(stress ^ Creep exponent * time)." +
                                       positive,
                                     prm);
-    creep_exponent.add_parameter(
-      "Creep exponent",
-      "Power of the stress in the rate of creep. Allowed: a number of at least "
-      "1, at most 50" +
-        formula,
-      prm);
+    creep_exponent.add_parameter("Creep exponent",
+                                 "Power of the stress in the rate of creep. "
+                                 "Allowed: a number of at least 1, at most 50" +
+                                   formula,
+                                 prm);
     viscosity_matrix.add_parameter(
       "Viscosity matrix",
       "Viscosity, in units of stress times time. Allowed: " + matrix,
       prm);
     viscosity_time_factor.add_parameter(
       "Viscosity time factor",
-      "Factor of the viscosity, the same everywhere." + factor,
+      "Factor of the viscosity, uniform in space." + factor,
       prm);
     chain.add_parameter(
       "Chain",
-      "Maxwell bodies in parallel: the fraction of the stiffness that each "
-      "has, and its relaxation time in units of time. What is left of the "
-      "stiffness is an elastic spring beside them. Allowed: a list such as "
-      "0.5: 10; 0.3: 100, fractions greater than 0 with a sum of at most 1, "
-      "relaxation times greater than 0" +
+      "Maxwell bodies in parallel: for each its fraction of the stiffness and "
+      "its relaxation time, in units of time. The rest of the stiffness is an "
+      "elastic spring in parallel. Allowed: a list such as 0.5: 10; 0.3: 100, "
+      "fractions greater than 0 with a sum of at most 1, relaxation times "
+      "greater than 0" +
         formula,
       prm);
     thermal_expansion.add_parameter(
       "Thermal expansion",
-      "Strain per change of temperature, in units of 1 / temperature: one "
-      "value for isotropic expansion, or the components 11, 22, 12 (33 is that "
-      "of 11), or 11, 22, 33, 12, or 11, 22, 33, 12, 13, 23 of the tensor, "
-      "separated by commas. Allowed: a number" +
+      "Thermal strain per change of temperature, in units of 1 / temperature: "
+      "one value for isotropic expansion, or the components of the tensor, "
+      "separated by commas: 11, 22, 12 (33 equals 11); 11, 22, 33, 12; or 11, "
+      "22, 33, 12, 13, 23. Allowed: a number" +
         formula,
       prm);
   }
@@ -256,28 +259,28 @@ namespace Crevasse
   LoadParameters::add_parameters(ParameterHandler &prm)
   {
     const std::string allowed =
-      "; nothing: none. Allowed: one formula of x, y, z, t for each dimension, "
+      "; empty: none. Allowed: one formula of x, y, z, t for each dimension, "
       "separated by semicolons";
-    prm.add_parameter("Period",
-                      period,
-                      "Period of everything that depends on time, in units of "
-                      "time. In all formulas t is the time within the period.",
-                      size);
-    traction.add_parameter("Traction",
-                           "Force per area on the boundaries that "
-                           "Boundary/Loaded names, in units of stress" +
-                             allowed,
-                           prm);
+    prm.add_parameter(
+      "Period",
+      period,
+      "Period of loads and material, in units of time. In all formulas t is "
+      "the time since the beginning of the period.",
+      size);
+    traction.add_parameter(
+      "Traction",
+      "Force per area on boundaries with the role Loaded, in units of stress" +
+        allowed,
+      prm);
     temperature.add_parameter(
       "Temperature",
-      "Change of the temperature theta against that at which nothing is "
-      "strained, in units of temperature. It strains the body by Thermal "
-      "expansion, and the formulas of the material may depend on it. Allowed: "
-      "a formula of x, y, z, t; a .csv file with the columns t, x, y, theta "
-      "(t, x, y, z, theta in three dimensions): a rectangular grid of points, "
-      "the same at each instant, between which is interpolated; or an .h5 "
-      "file, made of the fields of another program by \"crevasse "
-      "temperature\"",
+      "Difference theta from the temperature without thermal strain, in units "
+      "of temperature. It strains the body by Thermal expansion, and formulas "
+      "of the material may depend on it. Allowed: a formula of x, y, z, t; a "
+      ".csv file with the columns t, x, y, theta (t, x, y, z, theta in three "
+      "dimensions) on a rectangular grid of points, the same at each instant; "
+      "or an .h5 file that \"crevasse temperature\" makes from the fields of "
+      "another program",
       prm);
     body_force.add_parameter("Body force",
                              "Force per volume, in units of stress / length" +

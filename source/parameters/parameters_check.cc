@@ -61,13 +61,12 @@ namespace Crevasse
     if (shape != Shape::mesh_file)
       checker.demand(mesh_file.empty(),
                      "Mesh file",
-                     "is allowed only for the shape \"mesh file\"; the shape "
-                     "is \"" +
+                     "is allowed only with Shape = mesh file; the shape is \"" +
                        name_of(shape) + "\"");
     else if (mesh_file.empty())
       checker.demand(false,
                      "Mesh file",
-                     "must be given, for the shape is \"mesh file\"");
+                     "must be given with Shape = mesh file");
     else
       demand_file(section, "Mesh file", mesh_file, problems);
   }
@@ -88,16 +87,16 @@ namespace Crevasse
           continue;
         checker.demand(list->names.empty(),
                        role.name,
-                       "names of boundaries are those of physical groups of a "
-                       "Gmsh file; must be \"automatic\", \"none\" or boundary "
-                       "ids separated by commas");
+                       "names of boundaries need a Gmsh file with physical "
+                       "groups; otherwise this must be \"automatic\", \"none\" "
+                       "or boundary ids separated by commas");
         for (const auto id : list->ids)
           {
             const auto [first, is_new] = role_of.emplace(id, role.name);
             checker.demand(is_new,
                            role.name,
                            "the boundary id " + std::to_string(id) +
-                             " must have one role only; " + first->second +
+                             " must have one role only, but " + first->second +
                              " names it as well");
           }
       }
@@ -133,18 +132,18 @@ namespace Crevasse
           break;
         case ViscosityType::matrix:
           checker.demand_valid("Viscosity matrix", viscosity_matrix);
-          checker.demand(!viscosity_matrix.text().empty(),
-                         "Viscosity matrix",
-                         "must be given, for the viscosity is \"matrix\": a "
-                         "list such as 9, 2, 0; 2, 9, 0; 0, 0, 3 (plane "
-                         "stress), its rows separated by semicolons");
+          checker.demand(
+            !viscosity_matrix.text().empty(),
+            "Viscosity matrix",
+            "must be given with Viscosity = matrix: rows separated by "
+            "semicolons, as 9, 2, 0; 2, 9, 0; 0, 0, 3 (plane stress)");
           break;
         case ViscosityType::chain:
           checker.demand_valid("Chain", chain);
           checker.demand(!chain.text().empty(),
                          "Chain",
-                         "must be given, for the viscosity is \"chain\": a "
-                         "list such as 0.5: 10; 0.3: 100");
+                         "must be given with Viscosity = chain: a list such as "
+                         "0.5: 10; 0.3: 100");
           break;
         case ViscosityType::power_law:
           checker.demand_valid("Creep coefficient", creep_coefficient);
@@ -176,7 +175,8 @@ namespace Crevasse
     Checker(section, problems)
       .demand(volumetric_strain != VolumetricStrain::mean || degree == 1,
               "Volumetric strain",
-              "is for linear elements only: set Degree = 1, or leave it full");
+              "is for linear elements only: set Degree = 1, or Volumetric "
+              "strain = full");
   }
 
 
@@ -203,20 +203,19 @@ namespace Crevasse
       {
         checker.demand(relative_tolerance > 0. || absolute_tolerance > 0.,
                        "Relative tolerance",
-                       "must be greater than 0, or Absolute tolerance, for the "
-                       "step control \"adaptive\"");
-        checker.demand(
-          traits(scheme).estimates_error,
-          "Scheme",
-          "cannot tell the error of its steps, which the step control "
-          "\"adaptive\" needs; heun, exponential, sdirk2 and those of arkode "
-          "can");
+                       "must be greater than 0 with Step control = adaptive, "
+                       "unless Absolute tolerance is");
+        checker.demand(traits(scheme).estimates_error,
+                       "Scheme",
+                       "has no estimate of the error of its steps, which Step "
+                       "control = adaptive needs; use heun, exponential, "
+                       "sdirk2, arkode explicit or arkode implicit");
       }
     if (step_control == StepControlType::uniform)
       return;
     checker.demand(step_control != StepControlType::list || !steps.empty(),
                    "Steps",
-                   "must be given, for the step control is \"list\"");
+                   "must be given with Step control = list");
     // A step between instants that differ by rounding only would be noise.
     const double shortest = steps.empty() ? 0. : 1e-12 * steps.back();
     for (std::size_t i = 0; i < steps.size(); ++i)
@@ -225,7 +224,7 @@ namespace Crevasse
         checker.demand(false,
                        "Steps",
                        Text::from_number(steps[i]) +
-                         " must be later than the instant before it, " +
+                         " must be later than the previous instant, " +
                          Text::from_number(before) + ", by more than rounding");
   }
 
@@ -240,20 +239,20 @@ namespace Crevasse
     const bool    ends     = cycles > 0 || target_unknowns > 0;
     checker.demand(coarsen_fraction + refine_fraction <= 1.,
                    "Coarsen fraction",
-                   "must be, with Refine fraction, at most 1");
+                   "plus Refine fraction must be at most 1");
     // Each level halves the cells: 2^-40 is at the rounding of coordinates.
     checker.demand(!tip || cycles <= 40,
                    "Cycles",
-                   "must be at most 40 with Strategy = tip: each divides the "
-                   "size of the cells at the tip by 2");
+                   "must be at most 40 with Strategy = tip: each cycle halves "
+                   "the cells at the tip");
     checker.demand(!tip || ends,
                    "Strategy",
-                   "needs Cycles or Target unknowns to be greater than 0: "
-                   "otherwise it would not end");
+                   "needs Cycles or Target unknowns greater than 0: otherwise "
+                   "refinement would not end");
     checker.demand(!adaptive || ends || tolerance > 0.,
                    "Strategy",
-                   "needs Cycles, Target unknowns or Tolerance to be greater "
-                   "than 0: otherwise it would not end");
+                   "needs Cycles, Target unknowns or Tolerance greater than 0: "
+                   "otherwise refinement would not end");
     checker.demand(readapt_every == 0 || adaptive,
                    "Readapt every",
                    "is for Strategy = adaptive; otherwise it must be 0");

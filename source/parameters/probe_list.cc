@@ -15,9 +15,7 @@ namespace Crevasse
     check_name(const std::string &name)
     {
       const std::string allowed =
-        "abcdefghijklmnopqrstuvwxyz"
-        "ABCDEFGHIJKLMNOPQRSTUVWXYZ"
-        "0123456789_-";
+        "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-";
       if (name.empty() || name.find_first_not_of(allowed) != std::string::npos)
         throw SceneError("the probe name \"" + Text::shorten(name) +
                          "\" must consist of letters a-z, digits, \"_\" and "
@@ -46,8 +44,8 @@ namespace Crevasse
           dealii::Utilities::trim(entry.substr(0, colon));
         check_name(name);
         if (!names.insert(name).second)
-          throw SceneError("the name \"" + name +
-                           "\" must stand for one probe only");
+          throw SceneError("the probe name \"" + name +
+                           "\" must be that of one probe only");
         probes.push_back({name, parse_coordinates(entry.substr(colon + 1))});
       }
     return probes;

@@ -30,7 +30,7 @@ namespace Crevasse
                        " integers, one for each dimension");
       checker.demand(!traits(geometry.shape).has_crack || n[0] != 1,
                      "Subdivisions",
-                     "must begin with at least 2, along x, because the crack "
+                     "must have at least 2 cells along x, because the crack "
                      "tip is a vertex of the mesh");
       constexpr double         most  = 2e7;
       double                   cells = 1.;
@@ -45,12 +45,12 @@ namespace Crevasse
       checker.demand(cells <= most,
                      "Subdivisions",
                      "makes " + Text::from_number(cells) +
-                       " cells; more than 2e7 are refused");
+                       " cells; at most 2e7 are allowed");
       checker.demand(cells > most || refined <= most,
                      "Refinements",
                      "makes " + Text::from_number(refined) +
                        " cells of Subdivisions = " + Text::join(factors, ", ") +
-                       "; more than 2e7 are refused");
+                       "; at most 2e7 are allowed");
     }
 
 
@@ -67,9 +67,9 @@ namespace Crevasse
                         (is_plane ? Shape::box : Shape::rectangle),
                       "Shape",
                       "is not allowed with Dimension = " + dimension +
-                        ": the body without a crack is \"" +
+                        "; the body without a crack is \"" +
                         name_of(is_plane ? Shape::rectangle : Shape::box) +
-                        "\" there");
+                        "\"");
 
       const Checker loads(LoadParameters::section, problems);
       for (const auto &force : scene.loads.forces())
@@ -79,18 +79,17 @@ namespace Crevasse
                      force.parameter,
                      "must be " + dimension +
                        " formulas, one for each dimension, separated by "
-                       "semicolons, or nothing");
+                       "semicolons, or empty");
 
       const Checker crack_tip(CrackTipParameters::section, problems);
       crack_tip.demand(is_plane || scene.crack_tip.method !=
                                      StressIntensityMethod::williams_fit,
                        "Method",
                        "williams fit is for Dimension = 2");
-      crack_tip.demand(is_plane ||
-                         scene.crack_tip.growth_law == GrowthLawType::none,
-                       "Crack growth law",
-                       "is for Dimension = 2: in space K varies along the "
-                       "front");
+      crack_tip.demand(
+        is_plane || scene.crack_tip.growth_law == GrowthLawType::none,
+        "Crack growth law",
+        "is for Dimension = 2: in space K varies along the front");
       crack_tip.demand(scene.crack_tip.stress_intensity !=
                            StressIntensityChoice::on ||
                          scene.material.viscosity != ViscosityType::power_law,
@@ -110,9 +109,8 @@ namespace Crevasse
            scene.material.viscosity == ViscosityType::power_law &&
            singular_functions(scene).n == 0),
         "Creep integral",
-        "is for [Material] Viscosity = power law in plane stress "
-        "or strain, with [Discretisation] Singular functions = "
-        "0");
+        "is for [Material] Viscosity = power law in plane stress or strain, "
+        "with [Discretisation] Singular functions = 0");
       if (!scene.is_axisymmetric())
         return;
       crack_tip.demand(scene.crack_tip.method !=
@@ -142,12 +140,12 @@ namespace Crevasse
       const Checker checker(DiscretisationParameters::section, problems);
       const bool    has_mean =
         discretisation.volumetric_strain == VolumetricStrain::mean;
-      checker.demand(!has_mean || scene.dimension == 3 ||
-                       scene.material.plane_state != PlaneState::plane_stress,
-                     "Volumetric strain",
-                     "is not allowed in plane stress, where no volume is kept "
-                     "and nothing locks; it must be full, or [Material] Plane "
-                     "state = plane strain");
+      checker.demand(
+        !has_mean || scene.dimension == 3 ||
+          scene.material.plane_state != PlaneState::plane_stress,
+        "Volumetric strain",
+        "is not allowed in plane stress, where elements do not lock; it must "
+        "be full, or [Material] Plane state = plane strain");
 
       const auto [setting, advice] = obstacle_to_singular_functions(scene);
       checker.demand(setting.empty() || singular_functions(scene).n == 0,
@@ -175,8 +173,8 @@ namespace Crevasse
                     StepControlType::adaptive ||
                   scene.output.elastic_comparison == ComparedLip::none,
                 "Elastic comparison",
-                "compares at steps that are known in advance: with [Time "
-                "integration] Step control = adaptive it must be none");
+                "must be none with [Time integration] Step control = adaptive: "
+                "the comparison needs steps that are known in advance");
       Checker(TimeIntegrationParameters::section, problems)
         .demand(
           scene.material.viscosity != ViscosityType::power_law ||
@@ -195,8 +193,9 @@ namespace Crevasse
                    periodic.method != PeriodicMethodType::fourier &&
                    periodic.start_from != StartFrom::fourier),
                 "Secular split",
-                "leaves what flows in the viscous strain, which only Method = "
-                "march from rest can do with; set it to automatic");
+                "leaves the secular flow in the viscous strain, which needs "
+                "Method = march and Start from = rest; otherwise set Secular "
+                "split = automatic");
     }
 
 
@@ -264,15 +263,15 @@ namespace Crevasse
       demand(scene.periodic_state.start_from == StartFrom::rest,
              "with [Periodic state] Start from = " +
                name_of(scene.periodic_state.start_from) +
-               ": a march that begins anew goes on from its own state");
+               ": on a new mesh the march continues from its own state");
       demand(scene.periodic_state.secular_split != SecularSplitType::on,
              "with [Periodic state] Secular split = on: each mesh has its own "
-             "flow");
+             "secular flow");
       demand(scene.material.viscosity != ViscosityType::none,
              "with [Material] Viscosity = none: there is only one period");
       demand(singular_functions(scene).n == 0,
-             "with [Discretisation] Singular functions: what they have caused "
-             "in the viscous strain does not go over to another mesh");
+             "with [Discretisation] Singular functions: another mesh cannot "
+             "represent the viscous strain that they cause");
       demand(n >= 3 || scene.periodic_state.tolerance == 0.,
              "or at least 3 with [Periodic state] Tolerance > 0: on each mesh "
              "the error of the stress is known from the third period on");
@@ -324,11 +323,11 @@ namespace Crevasse
                       dimension,
                       "Dimension of space.",
                       dealii::Patterns::Integer(2, 3));
-    prm.add_parameter("Output directory",
-                      output_directory,
-                      "Where the results are written; nothing: results/ and "
-                      "the name of the scene file. A relative path begins at "
-                      "the working directory. Allowed: a path");
+    prm.add_parameter(
+      "Output directory",
+      output_directory,
+      "Directory of the results. Empty: results/NAME for the scene NAME.prm. A "
+      "relative path starts at the working directory. Allowed: a path");
 
     const auto add = [&prm](auto &parameters) {
       prm.enter_subsection(parameters.section);

@@ -170,7 +170,7 @@ namespace Crevasse
         {"Time integration/Scheme",
          direct && time.scheme != Scheme::trapezoid &&
            time.scheme != Scheme::automatic,
-         "[Periodic state] " + of_method + " is the trapezoidal rule"},
+         "[Periodic state] " + of_method + " uses the trapezoidal rule"},
         {"Periodic state/Secular split, Start from, Harmonics", elastic, none},
         {"Periodic state/Method", elastic, none + ", one period is enough"},
         {"Periodic state/Maximum periods",

@@ -100,8 +100,8 @@ namespace Crevasse
   {
     if (body.material.stiffness_varies)
       throw SceneError(setting +
-                       ": in space the stiffness must not depend on time but "
-                       "by [Material] Stiffness time factor.");
+                       ": in three dimensions the stiffness may depend on time "
+                       "only by [Material] Stiffness time factor.");
     const auto stiffness = uniform_in_tube(*body.material.at(0.).stiffness);
     if (!stiffness)
       throw SceneError(
@@ -115,8 +115,8 @@ namespace Crevasse
         rounding * stiffness->norm())
       throw SceneError(setting +
                        ": the stiffness at the crack front is not isotropic "
-                       "([Material] Stiffness), but the fields there are known "
-                       "to this program for isotropic bodies only.");
+                       "([Material] Stiffness), but this program knows the "
+                       "fields there for isotropic bodies only.");
     if (body.effects.viscosity.on)
       require_compatible_creep(*stiffness);
     return {E, nu};
@@ -197,12 +197,11 @@ namespace Crevasse
           }
         if (std::max(force.norm(), moment.norm()) >
             negligible * loads.l1_norm())
-          throw SceneError(
-            setting + ": at t = " + Text::from_number(t) + " the support at " +
-            Text::from_point(held->point) +
-            " on the crack front has to bear loads: its stress has a "
-            "singularity of its own there. Hold the body elsewhere ([Boundary] "
-            "Clamped or Fixed points).");
+          throw SceneError(setting + ": at t = " + Text::from_number(t) +
+                           " the support at " + Text::from_point(held->point) +
+                           " on the crack front has to bear loads: its stress "
+                           "has a singularity of its own there. Hold the body "
+                           "elsewhere ([Boundary] Clamped or Fixed points).");
       }
   }
 

@@ -31,8 +31,8 @@ namespace Crevasse
     if (needs_c_star(scene.crack_tip) && !no_c_star.empty() &&
         !mean_load_vanishes)
       throw SceneError(
-        "[Crack tip] Creep growth parameter = C star: there is no C*, for " +
-        no_c_star + ". Set it to stress intensity.");
+        "[Crack tip] Creep growth parameter = C star: there is no C*: " +
+        no_c_star + ". Set Creep growth parameter = stress intensity.");
     require_no_force_at_tip(scene, body, intensity.region, steps);
   }
 
@@ -44,7 +44,7 @@ namespace Crevasse
     if (!split.effect.on)
       return split.effect.why;
     if (const auto force = Effects::first_on(body.effects.volume_forces))
-      return "there is a " + force->name + ", which the integral does not know";
+      return "the integral does not include the " + force->name;
     if (body.effects.varying_viscosity.on)
       return "the viscosity varies in time";
     const MaterialState<2> material = body.material.at(0.);
@@ -52,7 +52,7 @@ namespace Crevasse
     viscous_region = intensity.region.uniform(intensity.points, viscosity->sum);
     return viscous_region->radius > 0.
              ? ""
-             : "the viscosity is not isotropic and the same in all cells at "
+             : "the viscosity is anisotropic, or not the same in all cells at "
                "the crack tip";
   }
 

@@ -177,7 +177,7 @@ namespace Crevasse
     log.line("  fields of " + std::to_string(records.size()) +
              (records.size() == 1 ? " instant in " : " instants in ") +
              file_name +
-             "; to see them there: paraview --script=show_in_paraview.py");
+             "; to see them, run there: paraview --script=show_in_paraview.py");
   }
 
 

@@ -293,7 +293,8 @@ namespace Crevasse
       }
     catch (const std::runtime_error &error)
       {
-        failure = "the change of a lip within a step was not found: ";
+        failure =
+          "the instant at which a lip changes within a step was not found: ";
         failure += error.what();
         summary["warnings"].push_back(failure);
       }

@@ -61,8 +61,7 @@ namespace Crevasse
       const bool one_sign = !body.effects.contact.on || *least >= -negligible ||
                             *most <= negligible;
       const std::string reason =
-        "the loads F(t) p(x) change their sign over "
-        "the period, ";
+        "the loads F(t) p(x) change their sign over the period, ";
       demand(one_sign || comparison != ComparedLip::closed,
              comparison,
              reason + "so that the lip does not stay closed.");
@@ -111,7 +110,7 @@ namespace Crevasse
     demand(!rule.weights.empty(),
            comparison,
            "[Time integration] Scheme = " + integrator->properties.name +
-             " weights the loads by how fast they relax.");
+             " has weights that depend on the relaxation time.");
     double integral = 0.;
     for (unsigned int k = 0; k < steps.n_steps(); ++k)
       for (unsigned int s = 0; s < rule.nodes.size(); ++s)

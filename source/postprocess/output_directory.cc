@@ -125,9 +125,10 @@ namespace Crevasse
       }
     catch (const fs::filesystem_error &error)
       {
-        throw_error(directory,
-                    "the results of an earlier run cannot be cleared away (" +
-                      error.code().message() + ")");
+        throw_error(
+          directory,
+          "the results of an earlier run cannot be moved or removed (" +
+            error.code().message() + ")");
       }
   }
 } // namespace Crevasse

@@ -141,8 +141,8 @@ namespace Crevasse
                          PlaneElasticity::like_stiffness(*limit)))
             continue;
           const std::string why =
-            "the viscosity at the crack tip is not isotropic in the plane and "
-            "the same on all sides";
+            "the viscosity at the crack tip is anisotropic in the plane, or "
+            "differs between its sides";
           if (must_integrate)
             throw SceneError(setting + ": " + why +
                              ", so that the field there is not known. " +
@@ -164,14 +164,14 @@ namespace Crevasse
                               setting(scene) + ": the crack at " +
                               Text::from_point(tip.position);
     if (tip.two_lips)
-      throw SceneError(where +
-                       " has two lips. K of a ring is known to this program "
-                       "for half models with the crack on y = const. Set "
-                       "Stress intensity = false.");
+      throw SceneError(
+        where +
+        " has two lips. This program knows K of a ring for half models with "
+        "the crack on y = const. Set Stress intensity = false.");
     if (std::abs(tip.ahead[1]) > 1e-8)
       throw SceneError(where +
-                       " is not in a plane across the axis. Set Stress "
-                       "intensity = false.");
+                       " is not in a plane perpendicular to the axis. Set "
+                       "Stress intensity = false.");
   }
 
 

@@ -71,8 +71,8 @@ namespace Crevasse
 
 
     constexpr const char *advice_on_steps =
-      "Something changes within less than a step. Take more steps, or [Time "
-      "integration] Step control = list with instants where it changes.";
+      "Loads or viscosity change within a step. Use more steps, or [Time "
+      "integration] Step control = list with the instants of the changes.";
 
 
 
@@ -91,23 +91,22 @@ namespace Crevasse
       if (!flows)
         return seen.linfty_norm() <= 0.01 * largest_load
                  ? ""
-                 : "the mean load vanishes, but the time steps see one: the "
-                   "body "
-                   "flows by an error of the steps. " +
+                 : "the mean load vanishes, but its samples at the time steps "
+                   "do not: the secular flow is an error of the steps. " +
                      std::string(advice_on_steps);
       const double mean = mean_load.linfty_norm();
       const double part = missed_load / mean;
       if (part <= 0.1) // as Euler's error of coarse steps
         return "";
       std::ostringstream text;
-      text << "the mean load over the period is not the one that the time "
-              "steps see: they differ by "
-           << 100. * part << " %, and so do beta and what is marched. "
+      text << "the mean load over the period and the mean of its samples at "
+              "the time steps differ by "
+           << 100. * part << " %, and so do beta and the flow of the march. "
            << advice_on_steps;
       if (mean <= hardly_any * largest_load)
-        text
-          << " Or is it meant to vanish? It is " << mean / largest_load
-          << " of the largest load: a pi written with few digits leaves one.";
+        text << " If the mean load should vanish (it is " << mean / largest_load
+             << " of the largest load), write pi in formulas instead of a "
+                "number with few digits.";
       return text.str();
     }
 
@@ -127,9 +126,9 @@ namespace Crevasse
         return "";
       return "[Time integration] Scheme = " + scheme +
              " of this Order has stages of negative weight: where the lip "
-             "opens in the mean some may bear pressure that others balance, "
-             "and periodic states that differ by the error of the steps fulfil "
-             "the equations of the steps. Set Order = 2, or Scheme = sdirk2.";
+             "opens in the mean, pressures of its stages may cancel, and the "
+             "periodic state is determined only up to the error of the steps. "
+             "Set Order = 2, or Scheme = sdirk2.";
     }
 
 
@@ -244,7 +243,7 @@ namespace Crevasse
     const std::string      setting = setting_of(wish);
     if (wish == SecularSplitType::off)
       {
-        effect.why = setting + ": what flows is in the displacement";
+        effect.why = setting + ": the displacement contains the flow";
         return split;
       }
     const std::string reason = secular_obstacle(body);
@@ -269,7 +268,7 @@ namespace Crevasse
       !effect.on ? "the mean load vanishes"
       : split.is_split
         ? "the mean load does not vanish: its flow is split off"
-        : "the mean load does not vanish: beta is found, not split off";
+        : "the mean load does not vanish: beta is computed, not split off";
     const auto &scheme = traits(scene.time_integration.scheme);
     if (split.is_split && !scheme.flows_by_mean_load)
       throw SceneError(
@@ -278,9 +277,10 @@ namespace Crevasse
         std::string(wish == SecularSplitType::on
                       ? "Secular split = on"
                       : "Method = " + name_of(scene.periodic_state.method)) +
-        ": its steps flow steadily otherwise than the secular problem says, "
-        "and contact would depend on the difference. Use Method = march with "
-        "Secular split = automatic, or another scheme, such as sdirk2.");
+        ": the steady flow of its steps is not the beta of the secular "
+        "problem, and contact would depend on the difference. Use Method = "
+        "march with Secular split = automatic, or another scheme, such as "
+        "sdirk2.");
     // Adaptive steps resolve the loads.
     if (scene.time_integration.step_control == StepControlType::adaptive)
       return split;

@@ -103,12 +103,12 @@ namespace Crevasse
             if (length < shortest_step(f) * steps.period())
               throw NumericalError(
                 Text::Message()
-                << "the tolerance takes too many steps: from t = " << t
-                << " on a step of " << length << " still has " << step_error
-                << " times the error that is allowed. Choose a larger [Time "
+                << "the tolerance needs too many steps: from t = " << t
+                << " on, a step of " << length << " still has " << step_error
+                << " times the allowed error. Choose a larger [Time "
                    "integration] Relative tolerance; if a load or a material "
-                   "jumps at an instant, name it in Steps, so that a step "
-                   "ends there; replace a sudden load by a short ramp, or give "
+                   "jumps at an instant, name it in Steps, so that a step ends "
+                   "there; replace a sudden load by a short ramp, or give "
                    "growing steps by Step control = list.");
             ++rejected;
             was_rejected = true;

@@ -236,8 +236,8 @@ namespace Crevasse
           throw NumericalError(
             "[Time integration] Relative tolerance = " +
             Text::from_number(parameters.relative_tolerance) +
-            " is below what rounding leaves of the stress. Set it, or "
-            "Absolute tolerance, to at least 1e-13 times the largest stress.");
+            " is below the rounding error of the stress. Set it, or Absolute "
+            "tolerance, to at least 1e-13 times the largest stress.");
         if (stress == 0.) // no load: any tolerance
           stress = 1.;
         Vector result;

@@ -52,15 +52,15 @@ namespace Crevasse
               "sdirk2.";
     else if (code == ARK_ERR_FAILURE)
       text << "no step is short enough for the tolerances. Raise [Time "
-              "integration] Relative tolerance or Absolute tolerance above "
-              "the accuracy of the contact problems ([Contact] Tolerance), "
-              "look at what jumps in time at this instant, or choose Step "
+              "integration] Relative tolerance or Absolute tolerance above the "
+              "accuracy of the contact problems ([Contact] Tolerance), check "
+              "for a jump of loads or material at this instant, or choose Step "
               "control = uniform.";
     else
       text << "this is an internal error. Choose Scheme = sdirk2 or heun, and "
               "report it.";
     if (!words.empty())
-      text << " In its own words: " << words;
+      text << " Message of ARKODE: " << words;
     return text.str();
   }
 

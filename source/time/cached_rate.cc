@@ -52,8 +52,8 @@ namespace Crevasse
       throw NumericalError(
         Text::Message()
         << "At t = " << t
-        << " the rate of the viscous strain is not finite. Look at the "
-           "formulas of [Material] and [Loads] at this instant.");
+        << " the rate of the viscous strain is not finite. Check the formulas "
+           "of [Material] and [Loads] at this instant.");
     evaluation.t = t;
     evaluation.r = known;
     if (c > 0.)

@@ -38,12 +38,11 @@ namespace Crevasse
       const double n_needed =
         std::floor(steps.period() / bound * (1 + 1e-12)) + 1.;
       if (!(n_needed <= most_steps))
-        message
-          << "No number of steps is enough, for a period has at most "
-          << most_steps << " of them: that takes relaxation times above "
-          << steps.period() / (limit * most_steps)
-          << ". Look at the viscosity in [Material], at [Loads] Period and at "
-             "their units";
+        message << "No number of steps is enough: a period has at most "
+                << most_steps << " steps, which allow relaxation times above "
+                << steps.period() / (limit * most_steps)
+                << ". Check the viscosity in [Material], [Loads] Period and "
+                   "their units";
       else if (are_uniform)
         message << "Use at least " << static_cast<unsigned int>(n_needed)
                 << " steps: --set \"Time integration/Steps per period="
@@ -82,13 +81,13 @@ namespace Crevasse
     const double rate = step.f.relaxation_rate();
     if (!(stability_limit * most_steps < rate * step.steps.period()))
       return rate > 0. ? stability_limit / rate : no_stability_limit;
-    throw NumericalError(
-      Text::Message()
-      << "The stress relaxes at the rate " << rate
-      << " at t = " << step.steps.instant(step.k) << ": that takes more than "
-      << most_steps << " steps of " << step.integrator.properties.name
-      << " in a period. Look at [Material] Creep coefficient, at [Loads] and "
-         "at their units.");
+    throw NumericalError(Text::Message()
+                         << "The stress relaxes at the rate " << rate
+                         << " at t = " << step.steps.instant(step.k)
+                         << ": that takes more than " << most_steps
+                         << " steps of " << step.integrator.properties.name
+                         << " in a period. Check [Material] Creep coefficient, "
+                            "[Loads] and their units.");
   }
 
 
@@ -120,9 +119,9 @@ namespace Crevasse
               << " [Time integration] Steps per period. Take so many, or "
                  "choose Step control = adaptive or ";
     else
-      message << "The stress has become larger than the elastic one, so that "
-                 "no number of steps is known. Choose [Time integration] Step "
-                 "control = adaptive or ";
+      message << "The stress is larger than the elastic stress, so that no "
+                 "sufficient number of steps is known. Choose [Time "
+                 "integration] Step control = adaptive or ";
     throw NumericalError(message
                          << "Scheme = sdirk2, which is stable with any step.");
   }
@@ -161,9 +160,9 @@ namespace Crevasse
         Text::Message()
         << "The smallest relaxation time allows this scheme steps of "
         << longest << ", which are more than " << most_steps
-        << " in a period. Choose Scheme = sdirk2, which is stable with "
-           "any step, or look at the viscosity in [Material], at "
-           "[Loads] Period and at their units.");
+        << " in a period. Choose Scheme = sdirk2, which is stable with any "
+           "step, or check the viscosity in [Material], [Loads] Period and "
+           "their units.");
     if (integrator.controls_steps)
       return std::make_unique<StepControl>(); // steps between samples
     return make_adaptive_steps(

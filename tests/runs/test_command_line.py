@@ -110,10 +110,10 @@ def test_mistakes():
              "A scene file for --set is required"),
             (("--print-parameters", "xml"), "{prm,json,markdown,schema}"),
             (("--print-parameters", "a.prm"), "{prm,json,markdown,schema}"),
-            (("a.prm", "--wall-time", "12:00"), "is no time"),
-            (("a.prm", "--wall-time", "1:60:00"), "is no time"),
-            (("a.prm", "--wall-time", "24:00:00:00"), "is no time"),
-            (("a.prm", "--wall-time", "0"), "is no time")):
+            (("a.prm", "--wall-time", "12:00"), "is not a time"),
+            (("a.prm", "--wall-time", "1:60:00"), "is not a time"),
+            (("a.prm", "--wall-time", "24:00:00:00"), "is not a time"),
+            (("a.prm", "--wall-time", "0"), "is not a time")):
         status, output, error = execute(*arguments)
         check(status == 2, f"{arguments}: exit status {status}")
         check(output == "", f"{arguments}: standard output:\n{output}")
@@ -351,7 +351,7 @@ def test_print_parameters():
         check(f"subsection {section}\n" in prm, f"prm lacks {section}")
         check(f"\n## {section}\n" in markdown, f"markdown lacks {section}")
     check("| Crack length | `0.5` |" in markdown, "markdown lacks a parameter")
-    check("3 top, 4 crack lip" in markdown
+    check("3 top; 4 crack lip" in markdown
           and '"automatic" is 3 for a built-in shape' in markdown,
           "markdown does not tell boundary ids")
     for line in markdown.splitlines():

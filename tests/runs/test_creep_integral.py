@@ -310,7 +310,7 @@ REFUSED = [
     ("singular", ["Discretisation/Singular functions=1"], "Singular functions = 0"),
     ("round", ["Material/Plane state=axisymmetric"], "in plane stress or strain"),
     ("radius", ["Crack tip/Radius=0.6"], "must be at most 0.5"),
-    ("cells", ["Crack tip/Radius=0.004"], "must be twice as far"),
+    ("cells", ["Crack tip/Radius=0.004"], "instead of twice as far"),
     ("force at the tip", ["Loads/Traction=1; 1"], "which the support at the crack"),
     ("without", ["Crack tip/Creep integral=false", "Crack tip/Crack growth law=creep",
                  "Crack tip/Creep factor=1",

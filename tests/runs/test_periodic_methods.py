@@ -241,7 +241,7 @@ def test_mean_of_steps():
             check(False, scheme + " under a mean load is refused")
         except Failure as failure:
             check("exit status 2" in str(failure)
-                  and "flow steadily" in str(failure), str(failure))
+                  and "steady flow" in str(failure), str(failure))
 
 
 COARSE = ["Geometry/Subdivisions=8, 4", "Contact/Tolerance=1e-12"]

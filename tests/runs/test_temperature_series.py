@@ -365,7 +365,7 @@ def test_refused():
     refused("for Dimension = 3", "good.h5", scene=BOX)
     points[:, 0] *= 0.5
     write("half.vtu", (points, cells), "quad", linear(points))
-    refused("lies outside of the mesh", convert("half.vtu"))
+    refused("lies outside the mesh", convert("half.vtu"))
 
 
 def test_refused_by_script():

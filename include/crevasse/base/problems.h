@@ -37,7 +37,7 @@ namespace Crevasse
   /** Where a parameter was set: in a file, or by a command-line option. */
   struct Origin
   {
-    std::string  source;   ///< "scene.prm", "--set \"Section/Name=value\""
+    std::string  source;   ///< file, or --set "Section/Name=value"
     unsigned int line = 0; ///< 0: no line
 
     /** The origin as text, "scene.prm:12". */

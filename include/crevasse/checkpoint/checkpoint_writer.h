@@ -58,8 +58,8 @@ namespace Crevasse
         return;
       if (!is_kept)
         throw FileError(
-          "Stopped on request, but no checkpoint could be written. "
-          "An older one may be there: try --resume.");
+          "Stopped on request, but no checkpoint could be written. An older "
+          "one may exist: try --resume.");
       checkpoints.stop();
     }
 

@@ -29,7 +29,7 @@ namespace Crevasse
     using RangeFunction =
       std::function<void(const unsigned int, const unsigned int)>;
 
-    /** Does not support singular functions.
+    /** Product for a space without singular functions.
      *
      * @param space Must outlive this object.
      * @param stiffness K at the quadrature points, which is copied.

@@ -24,8 +24,8 @@ namespace Crevasse
 
   /**
    * A property of the material as a function of place, time and temperature:
-   * formulas, and what their values make. Splitting the two tells on what it
-   * depends, and lets equal values share what they make.
+   * formulas, and data computed from their values. The formulas show on what it
+   * depends, and points with equal values share their data.
    */
   template <typename Value>
   struct Property

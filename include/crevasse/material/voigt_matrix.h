@@ -44,7 +44,7 @@ namespace Crevasse
   in_plane(const VoigtMatrix<dim> &matrix);
 
   /** The least eigenvalue of a symmetric matrix relative to the largest
-   * |entry|; with @p in_plane_only that of what is left without the 33 row. */
+   * |entry|; with @p in_plane_only of the matrix without row and column 33. */
   template <int dim>
   double
   least_relative_eigenvalue(const VoigtMatrix<dim> &matrix,

@@ -49,8 +49,8 @@ namespace Crevasse
       is_full = dealii::Utilities::MPI::sum(double(all), communicator) > limit;
       if (is_full)
         log.line(
-          "  memory: [Linear solver] Memory for instants is used up; what "
-          "varies in time is made anew for the other instants");
+          "  memory: [Linear solver] Memory for instants is used up; data of "
+          "the other instants are computed again in each period");
       return !is_full;
     }
 

@@ -35,13 +35,13 @@ namespace Crevasse
                                    {Shape::box, "box", false},
                                    {Shape::mesh_file, "mesh file", false}};
     static constexpr const char *meaning =
-      "The body. The built-in shapes are the half above the crack plane y = 0 "
-      "of a plate: \"edge crack\" has its crack on the right, with the tip at "
-      "x = Width - Crack length; \"centre crack\" is a quarter of the plate, "
-      "with the crack from x = 0 to x = Crack length; in three dimensions both "
-      "go through the plate, with a straight front along z. \"rectangle\" "
-      "(in two dimensions) and \"box\" (in three) have no crack; \"mesh "
-      "file\" reads a mesh.";
+      "Shape of the body. Built-in shapes are the part of a plate above the "
+      "crack plane y = 0. \"edge crack\": a half with a crack from the right "
+      "side, whose tip is at x = Width - Crack length. \"centre crack\": a "
+      "quarter with a crack from x = 0 to x = Crack length. In three "
+      "dimensions the crack goes through the plate, with a straight front "
+      "along z. \"rectangle\" (two dimensions) and \"box\" (three) have no "
+      "crack. \"mesh file\" reads a mesh.";
   };
 
   enum class PlaneState
@@ -59,9 +59,9 @@ namespace Crevasse
       {PlaneState::plane_strain, "plane strain"},
       {PlaneState::axisymmetric, "axisymmetric"}};
     static constexpr const char *meaning =
-      "What a plane model assumes of the third direction; without meaning in "
-      "three dimensions. axisymmetric: a body of revolution, where x is the "
-      "radius, y the axis, and the third direction that of the hoops.";
+      "Assumption on the third direction in two dimensions; three-dimensional "
+      "bodies ignore it. \"axisymmetric\": a body of revolution, where x is "
+      "the radius, y the axis, and the third direction the circumference.";
   };
 
   enum class ViscosityType
@@ -109,10 +109,10 @@ namespace Crevasse
     static constexpr NamedValue<VolumetricStrain> rows[] =
       {{VolumetricStrain::full, "full"}, {VolumetricStrain::mean, "mean"}};
     static constexpr const char *meaning =
-      "The change of volume that the strain has at a point: \"full\" is that "
-      "of the displacement there, \"mean\" its mean over the cell (B-bar), "
-      "which linear elements need for nearly incompressible bodies, in plane "
-      "strain or three dimensions with a Poisson ratio near 0.5.";
+      "Volumetric part of the strain. \"full\": pointwise; \"mean\": mean over "
+      "the cell (B-bar), which linear elements need for nearly incompressible "
+      "bodies, with a Poisson ratio near 0.5 in plane strain or three "
+      "dimensions.";
   };
 
   enum class SingularFunctionNumber
@@ -134,12 +134,12 @@ namespace Crevasse
       {SingularFunctionNumber::three, "3"},
       {SingularFunctionNumber::automatic, "automatic"}};
     static constexpr const char *meaning =
-      "Number of functions with the singularity of the crack tip that are "
-      "added to the finite elements: 1: that of a unit K_I, 2: also the other "
-      "one with the square root of r, for a viscous Poisson ratio other than "
-      "the elastic one, 3: also that with the power 3/2. At each tip between "
-      "two lips as many of mode II. \"automatic\": 2 at the tip of a built-in "
-      "crack in the plane, if nothing is against them, otherwise 0.";
+      "Number of crack-tip functions that enrich the finite elements. 1: the "
+      "field of a unit K_I; 2: also the second field with the square root of "
+      "r, for a viscous Poisson ratio that differs from the elastic one; 3: "
+      "also the field with r^(3/2). A tip between two lips has as many "
+      "functions of mode II in addition. \"automatic\": 2 at the tip of a "
+      "built-in crack in the plane where the scene allows them, otherwise 0.";
   };
 
   enum class RefinementStrategy
@@ -157,9 +157,9 @@ namespace Crevasse
       {RefinementStrategy::tip, "tip"},
       {RefinementStrategy::adaptive, "adaptive"}};
     static constexpr const char *meaning =
-      "How the mesh is refined after [Geometry] Refinements: \"tip\" divides "
-      "the cells around the crack tip again and again, \"adaptive\" those "
-      "with the largest estimated error.";
+      "Strategy of mesh refinement after [Geometry] Refinements: \"tip\" "
+      "repeatedly divides the cells at the crack tip, \"adaptive\" divides the "
+      "cells with the largest estimated error.";
   };
 
   enum class Marking
@@ -175,7 +175,7 @@ namespace Crevasse
                                                    {Marking::fixed_fraction,
                                                     "fixed fraction"}};
     static constexpr const char         *meaning =
-      "What Refine fraction and Coarsen fraction are parts of: of the "
+      "Meaning of Refine fraction and Coarsen fraction: fractions of the "
       "estimated error (\"bulk\", Doerfler's marking) or of the number of "
       "cells (\"fixed fraction\").";
   };
@@ -195,11 +195,12 @@ namespace Crevasse
       {StressIntensityChoice::on, "true"},
       {StressIntensityChoice::automatic, "automatic"}};
     static constexpr const char *meaning =
-      "Whether crack_tip.csv has the stress intensity factor K_I of each step, "
-      "or crack_tip_1.csv, crack_tip_2.csv, ... K_I and K_II of each tip of "
-      "cracks with two lips; in space crack_front.csv K_I along the front in "
-      "the last period, with two lips also K_II and K_III. \"automatic\": in "
-      "the plane, where K_I can be computed.";
+      "Whether the run computes stress intensity factors: K_I of each step in "
+      "crack_tip.csv; K_I and K_II of each tip of cracks with two lips in "
+      "crack_tip_1.csv, crack_tip_2.csv, ...; in three dimensions K_I, with "
+      "two lips also K_II and K_III, along the front in the last period in "
+      "crack_front.csv. \"automatic\": in the plane, where K_I can be "
+      "computed.";
   };
 
   enum class StressIntensityMethod
@@ -217,10 +218,10 @@ namespace Crevasse
       {StressIntensityMethod::interaction_integral, "interaction integral"},
       {StressIntensityMethod::williams_fit, "williams fit"}};
     static constexpr const char *meaning =
-      "How K_I is found: by an integral over a square around the tip, or by "
-      "fitting Williams' series to the stress around the tip. \"automatic\" "
-      "takes the integral, but the fit where the viscosity at the tip is "
-      "anisotropic or jumps.";
+      "Method for K_I: an interaction integral over a square around the tip, "
+      "or a fit of Williams' series to the stress around the tip. "
+      "\"automatic\": the integral, or the fit if the viscosity at the tip is "
+      "anisotropic or discontinuous.";
   };
 
   enum class GrowthLawType
@@ -247,7 +248,7 @@ namespace Crevasse
                                    {GrowthLawType::sum, "sum", true, true}};
     static constexpr const char *meaning =
       "Law of the crack's growth. \"paris\": da/dN = C (dK - dK_th)^m; "
-      "\"creep\": da/dt = D P^phi, P being the Creep growth parameter; "
+      "\"creep\": da/dt = D P^phi, where P is the Creep growth parameter; "
       "\"sum\": both.";
   };
 
@@ -266,8 +267,9 @@ namespace Crevasse
       {CreepParameter::C_of_t, "C(t)"},
       {CreepParameter::stress_intensity, "stress intensity"}};
     static constexpr const char *meaning =
-      "What drives the creep law: the integral C* of the secular flow, or the "
-      "Creep integral C(t) or K_I at each instant of the period.";
+      "Quantity P that drives growth by creep: the integral C* of the secular "
+      "flow, or C(t) (see Creep integral) or K_I at each instant of the "
+      "period.";
   };
 
   enum class FieldFormat
@@ -300,11 +302,11 @@ namespace Crevasse
       {ComparedLip::open, "open"},
       {ComparedLip::closed, "closed"}};
     static constexpr const char *meaning =
-      "Whether the stress of the last period is compared with that of an "
-      "elastic body whose crack is always open, or always closed. For loads "
-      "F(t) p(x), no gap, and a viscosity in proportion to the stiffness or "
-      "none; closed needs an F of one sign, and so does either without "
-      "viscosity.";
+      "Whether the stress of the last period is compared with the closed form "
+      "from an elastic body whose crack is always open, or always closed. This "
+      "needs loads F(t) p(x), no gap, and no viscosity or one proportional to "
+      "the stiffness. \"closed\" needs an F of one sign; so does \"open\" "
+      "without viscosity.";
   };
 } // namespace Crevasse
 

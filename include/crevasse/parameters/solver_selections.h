@@ -39,11 +39,11 @@ namespace Crevasse
        false,
        false}};
     static constexpr const char *meaning =
-      "Method for the contact inequality. \"condensed active set\" reduces it "
-      "to the lip, \"active set\" works on all unknowns, \"projected sor\" is "
-      "the method of the paper, for one process; \"automatic\" takes the "
-      "condensed one, or \"active set\" if the lip or "
-      "the mesh is very large.";
+      "Solver of the contact problems: \"condensed active set\" eliminates all "
+      "unknowns but those of the lip, \"active set\" iterates on all unknowns, "
+      "\"projected sor\" is the method of Raous (1980), for one process. "
+      "\"automatic\": \"condensed active set\", or \"active set\" for very "
+      "large lips or meshes.";
   };
 
   enum class LinearSolverType
@@ -73,9 +73,10 @@ namespace Crevasse
       {LinearSolverType::gmg, "gmg", false, true}};
     static constexpr const char *meaning =
       "Solver of the linear systems: factorisation by CHOLMOD on one process "
-      "or by MUMPS on several, or conjugate gradients with algebraic multigrid "
-      "(ML) or matrix-free geometric multigrid. \"automatic\" chooses "
-      "by dimension, size and number of processes.";
+      "(\"cholesky\") or by MUMPS on several, or conjugate gradients with "
+      "algebraic multigrid (ML, \"amg\") or matrix-free geometric multigrid "
+      "(\"gmg\"). \"automatic\" depends on dimension, size and number of "
+      "processes.";
   };
 
   enum class Scheme
@@ -149,10 +150,10 @@ namespace Crevasse
       {StepControlType::list, "list"},
       {StepControlType::adaptive, "adaptive"}};
     static constexpr const char *meaning =
-      "Where the steps end: \"uniform\" divides the period equally, \"list\" "
-      "takes the instants of Steps, \"adaptive\" chooses steps by their error, "
-      "with schemes that estimate it: heun, exponential, sdirk2 and those of "
-      "arkode.";
+      "Choice of the time steps: \"uniform\" are equal steps, \"list\" are "
+      "steps between the instants of Steps, \"adaptive\" are steps from an "
+      "error estimate, for the schemes heun, exponential, sdirk2, arkode "
+      "explicit and arkode implicit.";
   };
 
   enum class PeriodicMethodType
@@ -172,13 +173,12 @@ namespace Crevasse
       {PeriodicMethodType::fourier, "fourier"},
       {PeriodicMethodType::automatic, "automatic"}};
     static constexpr const char *meaning =
-      "How the periodic state is found. \"march\" computes one period after "
-      "the other until the stress repeats, as the body itself would; "
-      "\"anderson\" starts each from the combination of the last ones that "
-      "comes closest to repeating; \"fourier\" solves for all instants at "
-      "once, where nothing but the loads depends on time and the steps are "
-      "equal; \"automatic\" takes the fastest that the scene allows, and "
-      "another one where that fails.";
+      "Method for the periodic state. \"march\" follows the motion of the "
+      "body, period after period, until the stress repeats; \"anderson\" "
+      "starts each period from the combination of earlier ones that is closest "
+      "to periodic; \"fourier\" is harmonic balance: all instants at once, if "
+      "only the loads depend on time and the steps are equal. \"automatic\": "
+      "the fastest method that the scene allows, and another one if it fails.";
   };
 
   enum class StartFrom
@@ -194,8 +194,8 @@ namespace Crevasse
                                                      {StartFrom::fourier,
                                                       "fourier"}};
     static constexpr const char           *meaning =
-      "Viscous strain with which \"march\" and \"anderson\" begin: \"rest\" is "
-      "none, \"fourier\" that of harmonic balance.";
+      "Initial viscous strain of \"march\" and \"anderson\": \"rest\" is zero, "
+      "\"fourier\" is the result of harmonic balance.";
   };
 
   enum class SecularSplitType
@@ -213,13 +213,13 @@ namespace Crevasse
       {SecularSplitType::on, "on"},
       {SecularSplitType::off, "off"}};
     static constexpr const char *meaning =
-      "The flow beta that a mean load causes is the solution of a stationary "
-      "contact problem. \"automatic\" finds it so if there is a mean load and "
-      "the viscosity is a function of place times one of time, and integrates "
-      "the whole motion from rest; \"on\" integrates only the periodic part "
-      "q of u = beta t + q, which has a contact condition of its own: the "
-      "periodic state is the same, the way to it is not; \"off\" only "
-      "measures what the displacement gains over a period.";
+      "Treatment of the secular flow beta t that a mean load causes in u = "
+      "beta t + q, with a periodic q. \"automatic\": a stationary contact "
+      "problem gives beta, if there is a mean load and the viscosity is a "
+      "function of space times one of time; the run integrates u from rest. "
+      "\"on\": the run integrates only q, with its own contact condition, "
+      "towards the same periodic state. \"off\": the run only measures the "
+      "gain of displacement over a period.";
   };
 
   enum class HarmonicRule
@@ -234,10 +234,8 @@ namespace Crevasse
     static constexpr NamedValue<HarmonicRule> rows[] =
       {{HarmonicRule::trapezoid, "trapezoid"}, {HarmonicRule::exact, "exact"}};
     static constexpr const char *meaning =
-      "How \"fourier\" integrates each harmonic over the steps: \"trapezoid\" "
-      "by the trapezoidal rule, as the scheme of that name would; \"exact\" "
-      "each "
-      "harmonic exactly.";
+      "Time integration of each harmonic by \"fourier\": \"trapezoid\" is the "
+      "trapezoidal rule, as with Scheme = trapezoid; \"exact\" is analytical.";
   };
 } // namespace Crevasse
 

@@ -15,7 +15,7 @@ namespace Crevasse
    * Estimates the distance of a sequence to its limit from its changes: if
    * these continue to shrink by λ, the remaining changes add up to
    *
-   *     change × λ / (1 − λ)       (Aitken)
+   *     change × λ / (1 − λ)       (Aitken).
    *
    * Here λ is the largest of the last four ratios of changes: where contact
    * ceases at a node or two, the changes drop once or twice, and then shrink as

@@ -134,9 +134,9 @@ namespace Crevasse
         return;
       warn("[Crack tip]: at " +
              Text::from_point(analysis.intensity.region.tip.position) +
-             " K_II/K_I changes over the period: Delta_K, equivalent to the "
-             "ranges of K_I and K_II, and da_dN are those of modes in phase. "
-             "Judge growth by K_I and K_II in crack_tip_N.csv",
+             " K_II/K_I varies over the period, but Delta_K (equivalent to the "
+             "ranges of K_I and K_II) and da_dN assume modes in phase. Judge "
+             "growth by K_I and K_II in crack_tip_N.csv",
            summary);
     }
 

@@ -80,9 +80,9 @@ namespace Crevasse
       const double     size = summary["extremes"].value("displacement", 0.);
       if (*largest > some * size)
         log.line("  closed lips slide on each other by up to " +
-                 Text::from_number(*largest, 3) + " in a period, at " +
+                 Text::from_number(*largest, 3) + " per period, at " +
                  Text::from_point(where) +
-                 ": there friction, which is not in the model, would matter");
+                 "; friction, which the model neglects, would matter there");
     }
 
   private:

@@ -210,8 +210,9 @@ namespace Crevasse
                      size > 0. ? 100. * error / size : 0.));
       if (least < -10. * error && mode == CrackMode::opening)
         context.log.line(
-          "    negative: the load, or stress left by creep, "
-          "compresses the body ahead of the tip");
+          "    K_I < 0: the load, or residual stress from creep, compresses "
+          "the "
+          "body ahead of the tip");
     }
 
     /** Warns if K is uncertain.

@@ -26,8 +26,8 @@ namespace Crevasse
       file = H5Fopen(name.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT);
       if (file < 0)
         throw_error(
-          "is not an HDF5 file, or a damaged one; the fields of "
-          "other programs are converted by \"crevasse temperature\".");
+          "is not an HDF5 file, or is damaged; \"crevasse temperature\" "
+          "converts fields of other programs.");
     }
 
     NumberFile(const NumberFile &) = delete;
@@ -182,12 +182,12 @@ namespace Crevasse
         refuse_temperature(
           this->file_name,
           "the body has the point " + Text::from_point(point) +
-            ", which lies outside of the mesh" +
+            ", which lies outside the mesh" +
             (snapshots.size() == 1
                ? ""
                : " of instant " + std::to_string(instant + 1) + " of " +
                    std::to_string(snapshots.size())) +
-            ", further than " +
+            ", farther than " +
             Text::from_number(SimplexLocator<dim>::largest_gap) +
             " of the size of the cells there; the mesh must cover the "
             "body, in the same unit of length.");

@@ -43,9 +43,9 @@ namespace Crevasse
           coordinates[d] = values_of(rows, d + 1);
           if (coordinates[d].size() < 2)
             refuse_temperature(this->file_name,
-                               "its points do not differ in coordinate " +
+                               "all points have the same coordinate " +
                                  std::to_string(d + 1) +
-                                 "; a grid needs two at least.");
+                                 "; a grid needs at least two values.");
           size[d] = coordinates[d].size();
           n_points *= coordinates[d].size();
           lower[d] = coordinates[d].front();
@@ -143,7 +143,7 @@ namespace Crevasse
           refuse_temperature(this->file_name,
                              "the body has the point " +
                                Text::from_point(point) +
-                               ", which lies outside of the grid from " +
+                               ", which lies outside the grid from " +
                                Text::from_point(lower) + " to " +
                                Text::from_point(upper) + ".");
       return grids[instant]->value(point);
