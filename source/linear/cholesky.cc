@@ -74,7 +74,7 @@ namespace Crevasse
     std::optional<SupernodalFactor> substitution;
     std::vector<int>                lip_places; ///< positions of the lip
     LipVector                       on_lip;
-    std::vector<double>             work; ///< in the factor's order
+    std::vector<double>             work; ///< vector in the factor's order
   };
 
 

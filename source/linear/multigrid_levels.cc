@@ -11,7 +11,7 @@ namespace Crevasse
 
   namespace
   {
-    /** For so few unknowns a direct solver is faster than a smoother. */
+    /** Number of unknowns up to which a direct solver beats a smoother. */
     constexpr std::size_t enough_unknowns = 1500;
   } // namespace
 

@@ -52,7 +52,7 @@ namespace Crevasse
   struct LipBasis<dim>::Surroundings
   {
     std::vector<std::vector<unsigned int>> nodes_of_faces;
-    std::multimap<Index, unsigned int>     nodes_at; ///< by first dofs
+    std::multimap<Index, unsigned int>     nodes_at; ///< nodes by first dof
     std::vector<Tensor<1, dim>>            loads;    ///< ∫φ n of nodes
     Meanings                               supported;
   };

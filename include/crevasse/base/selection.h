@@ -29,7 +29,7 @@ namespace Crevasse
     const char *name;
   };
 
-  /** Row of a Selection for a value: traits(scheme).is_implicit. */
+  /** Row of a Selection for a value, as in traits(scheme).name. */
   template <typename Enum>
   constexpr const auto &
   traits(const Enum value)

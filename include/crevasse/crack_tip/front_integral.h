@@ -79,8 +79,8 @@ namespace Crevasse
      * ranks bear. */
     std::vector<VoigtVector<3>>
     integrate_over_lips();
-    /** Makes a uniform free strain contribute nothing, and a uniform stress as
-     * much as the lips, to rounding: the rules in cells are not exact. */
+    /** Corrects the factors so that a uniform free strain contributes nothing,
+     * and a uniform stress as much as the lips: quadrature is not exact. */
     void
     balance(const std::vector<VoigtVector<3>> &lips);
     /** Components of a stress factor that do work at a vertex on lips only. */

@@ -47,7 +47,7 @@ namespace Crevasse
       }
     };
 
-    std::vector<Vertex> vertices; ///< by chain and s, same on all ranks
+    std::vector<Vertex> vertices; ///< vertices of all ranks, by chain and s
 
     /** Value of a vertex' hat function at a point, and its derivative. */
     struct Hat

@@ -69,7 +69,7 @@ namespace Crevasse
     {
       double              radius;
       std::vector<Row>    of_stress;
-      std::vector<double> of_contact_forces; ///< for local lip nodes
+      std::vector<double> of_contact_forces; ///< weights of local nodes
     };
 
     Disc

@@ -71,7 +71,7 @@ namespace Crevasse
 
     // Members set by the constructor.
 
-    /** Mesh, also for other spaces, whose dofs have the same numbers. */
+    /** Mesh; spaces that share it number their dofs alike. */
     const std::shared_ptr<const Mesh<dim>> triangulation;
     const dealii::FESystem<dim>            finite_element;
     dealii::DoFHandler<dim>                dof_handler;
@@ -239,7 +239,7 @@ namespace Crevasse
 
     std::unique_ptr<const SingularShapes> shapes; ///< singular functions
     std::shared_ptr<const dealii::Utilities::MPI::Partitioner>
-                              partitioner;  ///< of ghosted vectors
+                              partitioner;  ///< layout of ghosted vectors
     std::vector<std::uint8_t> rule_of_cell; ///< empty: first rule
 
     mutable std::shared_ptr<const CellLoops<dim>> loops; ///< made on demand

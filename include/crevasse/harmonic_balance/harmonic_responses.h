@@ -213,7 +213,7 @@ namespace Crevasse
     SparseMatrix real, imaginary; ///< parts of the last A*
     std::shared_ptr<const dealii::FullMatrix<std::complex<double>>>
       elastic_compliance; ///< compliance L A⁻¹ Lᵀ
-    std::shared_ptr<const std::vector<int>>  ordering; ///< for ComplexMumps
+    std::shared_ptr<const std::vector<int>>  ordering; ///< shared ordering
     std::map<unsigned int, HarmonicResponse> kept;
   };
 } // namespace Crevasse

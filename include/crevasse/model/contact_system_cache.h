@@ -157,7 +157,7 @@ namespace Crevasse
     InstantCache<MaterialState<dim>>       materials;
     InstantCache<AlgorithmicModuli<dim>>   moduli;
     InstantCache<RelaxationFunctions<dim>> relaxation;
-    InstantCache<ContactSystem<dim>>       systems; ///< for K or moduli
+    InstantCache<ContactSystem<dim>>       systems; ///< systems by instant
     KeptTangents<dim>                      tangents;
 
     std::shared_ptr<const RelaxationFunctions<dim>> last_relaxation;

@@ -14,14 +14,13 @@ namespace Crevasse
   Vector
   loads_at(const Body<dim> &body, const double t);
 
-  /** The begin of the step at which the load vector is largest. */
+  /** Beginning of the step at which the load vector is largest. */
   template <int dim>
   double
   instant_of_largest_load(const Body<dim> &body, const StepList &steps);
 
-  /** The instant of the largest load, and the begin of the step with the most
-   * opposite load, if any: a crack may be closed at the one and open at the
-   * other. */
+  /** Instants of the largest load and of the most opposite load, if any: a
+   * crack may be closed at the one and open at the other. */
   template <int dim>
   std::vector<double>
   instants_of_extreme_loads(const Body<dim> &body, const StepList &steps);

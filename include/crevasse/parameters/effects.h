@@ -26,7 +26,7 @@ namespace Crevasse
     Effect chain;
     /** Effects of MaterialParameters::free_strains(). */
     std::vector<Effect> free_strains;
-    Effect              varying_stiffness; ///< in time, by a factor or freely
+    Effect              varying_stiffness; ///< stiffness that varies in time
     Effect              varying_viscosity;
     /** Effects of LoadParameters::forces() in the volume. */
     std::vector<Effect> volume_forces;

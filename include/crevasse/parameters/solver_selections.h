@@ -100,9 +100,9 @@ namespace Crevasse
     {
       Scheme      value;
       const char *name;
-      bool        estimates_error;    ///< for adaptive steps
+      bool        estimates_error;    ///< estimates errors of steps
       bool        keeps_matrices;     ///< own matrices of instants
-      bool        flows_by_mean_load; ///< as the secular problem
+      bool        flows_by_mean_load; ///< flows as the secular problem
       bool        is_of_arkode;
     };
     static constexpr Row rows[] = {

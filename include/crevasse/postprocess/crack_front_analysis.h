@@ -30,7 +30,7 @@ namespace Crevasse
      * sizes of the tube. */
     struct Estimate
     {
-      std::array<double, 3> intensity, error; ///< for each mode in names()
+      std::array<double, 3> intensity, error; ///< K of each mode in names()
       double                release_rate;
     };
 

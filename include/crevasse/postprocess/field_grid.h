@@ -172,7 +172,7 @@ namespace Crevasse
     std::vector<unsigned int>  points; ///< point of each node, by cell
     std::vector<float>         coordinates;
     std::vector<std::int32_t>  corners;
-    std::vector<std::int32_t>  materials; ///< by linear cell
+    std::vector<std::int32_t>  materials; ///< material ids of linear cells
   };
 } // namespace Crevasse
 

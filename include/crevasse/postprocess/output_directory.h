@@ -16,7 +16,7 @@ namespace Crevasse
   /** What happens to the results of an earlier run. */
   enum class EarlierResults
   {
-    are_kept, ///< in a folder "earlier_1", "earlier_2", ... beside the new ones
+    are_kept, ///< they are moved to a folder "earlier_1", "earlier_2", ...
     are_removed
   };
 

@@ -126,8 +126,9 @@ namespace Crevasse
     const ContactBoundary<dim> &lip;
 
     DisplacementWeights displacement_weights, other_lip_weights;
-    typename StressRecovery<dim>::PointWeights   stress_weights;
-    std::vector<std::pair<unsigned int, double>> pressure_weights; ///< of nodes
+    typename StressRecovery<dim>::PointWeights stress_weights;
+    /** Nodes and weights of the pressure. */
+    std::vector<std::pair<unsigned int, double>> pressure_weights;
 
     dealii::Tensor<1, dim> normal; ///< inward normal of the lip; else 0
     double                 gap = 0.;

@@ -344,7 +344,7 @@ namespace Crevasse
     const CrackTipAnalysis &analysis;
     const TipContext        context;
     CsvTable                table;
-    const double            relative_error; ///< of elastic energy
+    const double            relative_error; ///< error of elastic energy
     std::vector<double>     instants;       ///< instants of last period
     std::vector<Values>     of_last_period;
   };

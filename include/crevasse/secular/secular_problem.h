@@ -20,7 +20,7 @@ namespace Crevasse
      * flow of the mean load that steps see): then the viscous strain of a
      * periodic motion returns after a period, except for the flow. */
     bool        strain_returns = false;
-    std::string warning; ///< for the log; empty: none
+    std::string warning; ///< warning for the log, or empty
   };
 
   /** Reason why no secular flow can be split off, or empty. Collective. */
