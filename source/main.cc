@@ -102,11 +102,11 @@ namespace
           output.require_nothing_to_resume(used);
       });
     if (command.stress_record && scene.refinement.readapt_every > 0)
-      throw SceneError("[Refinement] Readapt every = " +
-                       std::to_string(scene.refinement.readapt_every) +
-                       ": stresses on changing meshes cannot be compared; set "
-                       "it to 0, or let the sweep vary nothing that needs "
-                       "them.");
+      throw SceneError(
+        "[Refinement] Readapt every = " +
+        std::to_string(scene.refinement.readapt_every) +
+        ": stresses on changing meshes cannot be compared; set it to 0, or "
+        "leave stress out of the errors of the sweep.");
     if (!command.check)
       requests.look_in(output.directory());
     AdaptiveRun<dim> run(scene, communicator, log, checkpoints);
@@ -116,8 +116,8 @@ namespace
         log.line("  output directory: " + output.directory());
         output.require_usable();
         log.line(scene.refinement.strategy == RefinementStrategy::adaptive
-                   ? "The scene is in order; nothing was computed but elastic "
-                     "states, for the mesh."
+                   ? "The scene is in order; only elastic states were "
+                     "computed, for the mesh."
                    : "The scene is in order; nothing was computed.");
         return;
       }
@@ -181,8 +181,8 @@ namespace
       print_parameters(text, command.print_format);
     else if (command.print_format != "prm" && command.print_format != "json")
       throw SceneError("--print-parameters " + command.print_format +
-                       " describes the parameters; those of a scene are "
-                       "printed as prm or json.");
+                       " describes all parameters; for the values of a scene "
+                       "use prm or json.");
     else
       {
         dealii::ParameterHandler prm;

@@ -68,14 +68,14 @@ namespace Crevasse
       app.add_flag("--quiet", command.quiet, "Print nothing but errors");
       app.add_flag("--verbose",
                    command.verbose,
-                   "Print at the end what took how much of the time");
+                   "Print at the end the time that each part of the run took");
       app
         .add_option_function<std::string>(
           "--wall-time",
           [&command](const std::string &text) {
             command.wall_time = seconds_in(text);
           },
-          "Stop early enough to be done after this time: seconds, "
+          "Stop early enough to end within this time: seconds, "
           "hours:minutes:seconds, or days-hours:minutes:seconds")
         ->type_name("TIME");
       app.add_flag("--check",
@@ -100,9 +100,9 @@ namespace Crevasse
         .add_option(
           "--print-parameters",
           command.print_format,
-          "Print all parameters with their defaults and meanings: "
-          "prm (the default), json, markdown or schema (a JSON schema "
-          "for editors); after a scene its values, as prm or json")
+          "Print all parameters with their defaults and meanings: prm (the "
+          "default), json, markdown or schema (a JSON schema for editors); "
+          "with a scene its values, as prm or json")
         ->type_name("FORMAT")
         ->expected(0, 1)
         ->check(CLI::IsMember({"prm", "json", "markdown", "schema"}));

@@ -107,10 +107,10 @@ namespace Crevasse
       }
     catch (const Summary::exception &error)
       {
-        throw FileError("--resume: " + name + " is not what a run writes (" +
-                        error.what() +
-                        "). Without it the run resumes from its newest "
-                        "checkpoint.");
+        throw FileError(
+          "--resume: " + name + " is not a summary that a run writes (" +
+          error.what() +
+          "). Remove it: then the run resumes from its newest checkpoint.");
       }
   }
 
@@ -147,8 +147,8 @@ namespace Crevasse
               ? ", as many as [Periodic state] Maximum periods allows; raise "
                 "it "
                 "to continue."
-              : ", as many as [Periodic state] Maximum periods allows, and "
-                "left no checkpoint to continue from; compute more in another "
+              : ", as many as [Periodic state] Maximum periods allows, without "
+                "a checkpoint to continue from; start again in another "
                 "--output.");
   }
 

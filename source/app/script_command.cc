@@ -46,8 +46,7 @@ namespace Crevasse
       {"report", "Make one page of the results of a run or a sweep"},
       {"figures", "Draw the figures of a run or a sweep"},
       {"temperature",
-       "Convert a temperature that another program computed for [Loads] "
-       "Temperature"}};
+       "Convert temperatures of another program for [Loads] Temperature"}};
     return commands;
   }
 

@@ -136,7 +136,7 @@ namespace Crevasse
     if (refinement.target_unknowns > 0 && n > refinement.target_unknowns)
       log.line("  [Refinement] Target unknowns = " +
                std::to_string(refinement.target_unknowns) + ": the mesh has " +
-               std::to_string(n) + " before its refinement, and is kept");
+               std::to_string(n) + " before refinement, and is not refined");
     if (refinement.strategy != RefinementStrategy::adaptive)
       return;
     const Stopwatch watch("mesh adaptation");
@@ -191,8 +191,8 @@ namespace Crevasse
                            estimator);
     if (estimator.largest_energy() == 0.)
       throw SceneError(
-        "[Refinement] Instants: there is no stress at the instants that "
-        "adaptive refinement looks at; name some at which the body is loaded.");
+        "[Refinement] Instants: the stress is zero at the instants of adaptive "
+        "refinement; name instants at which the body is loaded.");
     all.push_back({body.space.mesh().n_global_active_cells(),
                    body.space.n_independent_unknowns(),
                    estimator.relative_error(),

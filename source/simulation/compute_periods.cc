@@ -109,16 +109,16 @@ namespace Crevasse
       periods.finish(r);
       const double defect = motion.largest_defect();
       periods.report(defect);
-      work.output.log.line("  harmonic balance: states and samples differ by " +
-                           Text::from_number(defect, 2) + " at most");
+      work.output.log.line(
+        "  harmonic balance: states differ from periodic ones by " +
+        Text::from_number(defect, 2) + " at most");
       const PeriodicResult &result = periods.result();
       if (!result.converged && !work.start.choice.may_fall_back)
         throw NumericalError(
-          "[Periodic state] Method = fourier: the motion found is not "
-          "periodic: its states differ from those of the same viscous strain "
-          "by " +
+          "[Periodic state] Method = fourier: the solution is not periodic: "
+          "its states differ from those of the same viscous strain by " +
           Text::from_number(defect) +
-          " of their size. Look for moduli or relaxation times that differ by "
+          " of their size. Check for moduli or relaxation times that differ by "
           "many orders of magnitude, or use Method = anderson.");
       return result;
     }
@@ -185,9 +185,9 @@ namespace Crevasse
       const auto &counts = method.counts();
       if (counts.shortened > 0)
         work.output.log.line(
-          "  anderson left out the oldest of the periods that it combines in " +
+          "  anderson combined fewer periods in " +
           std::to_string(counts.shortened) +
-          " steps: with them the step could not lead to the periodic state");
+          " steps: the oldest ones led away from the periodic state");
       if (counts.leaps > 0)
         work.output.log.line("  anderson followed a steady drift by " +
                              std::to_string(counts.leaps) +

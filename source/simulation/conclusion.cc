@@ -58,17 +58,17 @@ namespace Crevasse
                        scene.time_integration.newton_tolerance));
       if (statistics.undetermined > 0)
         log.line("  In " + std::to_string(statistics.undetermined) +
-                 " of them forces do not fix the position of what contact "
-                 "alone holds: its displacement is one of many.");
+                 " of them the position of parts that contact alone holds is "
+                 "undetermined: their displacement is one of many.");
       constexpr double poor = 1e-6;
       if (statistics.accuracy > std::max(poor, tolerance))
         log.line(
-          "  Beware: the stiffness is badly conditioned. Rounding leaves "
-          "an accuracy of " +
+          "  Beware: the stiffness is badly conditioned. Rounding limits the "
+          "accuracy to " +
           Text::from_number(statistics.accuracy, 3) +
-          " only, not [Contact] Tolerance = " + Text::from_number(tolerance) +
-          ". Very flat cells, a Poisson ratio close to its limits or moduli "
-          "that differ by many orders of magnitude do this.");
+          " instead of [Contact] Tolerance = " + Text::from_number(tolerance) +
+          ". Causes are very flat cells, a Poisson ratio close to its limits, "
+          "or moduli that differ by many orders of magnitude.");
     }
   } // namespace
 
@@ -203,16 +203,14 @@ namespace Crevasse
       const std::string text =
         Text::Message()
         << "Rounding leaves errors of " << stress_rounding
-        << " of its maximum in the stress, which is the difference of total "
-           "and viscous strain times the stiffness: the body has flown too "
-           "far, or is too stiff against changes of volume (Poisson ratio near "
-           "0.5). "
-        << (is_split
-              ? "Look"
-              : "Split off the mean flow ([Periodic state] Secular split = "
-                "on), or look")
-        << " at the relaxation times, whether they are many orders below the "
-           "period, and at the Poisson ratios.";
+        << " of its maximum in the stress, the stiffness times the difference "
+           "of total and viscous strain: the body has flowed too far, or is "
+           "nearly incompressible (Poisson ratio near 0.5). "
+        << (is_split ? "Check"
+                     : "Split off the mean flow ([Periodic state] Secular "
+                       "split = on), or check")
+        << " whether relaxation times are many orders below the period, and "
+           "the Poisson ratios.";
       if (stress_rounding > worthless)
         throw NumericalError(text);
       if (stress_rounding > doubtful)
@@ -270,9 +268,9 @@ namespace Crevasse
           << "the lip bears " << measured
           << " in the mean of the last period, and " << expected
           << " once its flow has become steady (mean contact force of the "
-             "secular problem). It still approaches contact, or leaves it, or "
-             "touches within a step only; raise [Time integration] Steps per "
-             "period,");
+             "secular problem). The lip still approaches contact, still leaves "
+             "it, or touches only within a step; raise [Time integration] "
+             "Steps per period,");
     }
 
 
@@ -297,9 +295,10 @@ namespace Crevasse
       throw_another_state(
         choice,
         Text::Message()
-          << "the lip goes on to close, by up to " << rate * scene.loads.period
+          << "the lip continues to close, by up to "
+          << rate * scene.loads.period
           << " in the last period, of an opening of " << opening
-          << " at most. It will touch some time, and then the stress changes;");
+          << " at most. Once it touches, the stress will change;");
     }
 
 
@@ -322,10 +321,10 @@ namespace Crevasse
         message << "not known to be within ";
       message << "[Periodic state] Tolerance = " << parameters.tolerance;
       if (!result.steps_repeat)
-        message << ", for adaptive steps do not repeat";
+        message << ", because adaptive steps do not repeat";
       else if (result.periods > 1 &&
                result.return_defect > parameters.tolerance)
-        message << ", for the viscous strain does not yet return";
+        message << ", because the viscous strain is not yet periodic";
       message << ". All results so far are written. Raise \"Maximum periods\"";
       if (choice.method == PeriodicMethodType::march && result.steps_repeat)
         message << periods_to_go(result, parameters.tolerance);

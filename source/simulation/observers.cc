@@ -90,10 +90,10 @@ namespace Crevasse
           work.output.log.line(
             Text::Message()
             << "  Beware: displacements reach " << run.largest_displacement
-            << ", and the body is " << diagonal
-            << " from corner to corner: the theory is one of small "
-               "strains. Check that loads, lengths and moduli use one system "
-               "of units, and that the body may creep this long.");
+            << " in a body of diagonal " << diagonal
+            << ": the theory is for small strains. Check that loads, lengths "
+               "and moduli use one system of units, and that the body may "
+               "creep this long.");
         if (body.effects.contact.on)
           extremes["opening"] = run.largest_opening;
         if (!body.effects.viscosity.on)

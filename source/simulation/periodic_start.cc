@@ -30,8 +30,8 @@ namespace Crevasse
           end_abandoned_factors();
           const std::string what =
             std::string(
-              "the stationary contact problem for beta, with the "
-              "viscosity for the stiffness, was not solved: ") +
+              "the stationary contact problem for beta, with viscosity instead "
+              "of stiffness, was not solved: ") +
             error.what();
           if (work.setup.scene.periodic_state.secular_split ==
               SecularSplitType::on)
@@ -39,7 +39,8 @@ namespace Crevasse
                                  what);
           if (split.is_split && !start.choice.may_fall_back)
             throw NumericalError(
-              what + " [Periodic state] Method = march does without.");
+              what +
+              " Use [Periodic state] Method = march, which does not need it.");
           if (split.is_split)
             start.choice = {PeriodicMethodType::march,
                             false,
@@ -65,11 +66,11 @@ namespace Crevasse
       if (flows && !start.split.effect.on)
         {
           start.split.effect.why =
-            "the mean of the samples does not vanish, "
-            "though that of the load does";
+            "the mean load vanishes, but the mean of its samples does not";
           start.warnings.emplace_back(
             "[Time integration] Steps per period: the mean load vanishes, but "
-            "not that of its samples: what flows is an error of the steps");
+            "the mean of its samples does not: the secular flow is an error of "
+            "the steps");
           log.line("  warning: " + start.warnings.back());
         }
       start.split.effect.on = flows;

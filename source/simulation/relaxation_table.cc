@@ -57,9 +57,8 @@ namespace Crevasse
     const double largest = loads.linfty_norm();
     if (largest == 0.)
       throw SceneError(
-        "[Contact] Relaxation table: nothing is loaded, so that "
-        "there is nothing to iterate for. Set [Loads] or leave "
-        "the table empty.");
+        "[Contact] Relaxation table: there is no load, so that iterations "
+        "cannot be counted. Set [Loads], or leave the table empty.");
     const Vector direct =
       elastic_displacement(scene, body, work.systems, loads, false);
     const double target = residual_norm(matrix, direct, loads);
@@ -80,8 +79,8 @@ namespace Crevasse
                    "solver's residual, %.2e of the largest load",
                    target / largest));
     log.line(
-      Text::format("  (27 bits: to that of its solution with a mantissa of 27 "
-                   "bits, %.2e)",
+      Text::format("  (27 bits: to the residual of the solution with a "
+                   "mantissa of 27 bits, %.2e)",
                    target_1980 / largest));
     log.line("      factor    iterations       27 bits");
     const bool is_first_rank =

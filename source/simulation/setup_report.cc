@@ -135,10 +135,9 @@ namespace Crevasse
       throw SceneError(
         "The run needs about " +
         gigabytes(Utilities::MPI::max(all, communicator)) +
-        " of memory on a machine that has " +
+        " of memory, but the machine has " +
         gigabytes(Utilities::MPI::min(there, communicator)) +
-        " left, most of it for: " + largest.name + ". To change that, " +
-        largest.advice +
+        " left. Most of it is for the " + largest.name + ": " + largest.advice +
         ", or use processes on more machines. With these settings about " +
         std::to_string(static_cast<unsigned long>(fitting)) +
         " unknowns fit; the mesh has " +
@@ -161,7 +160,7 @@ namespace Crevasse
         Utilities::MPI::n_mpi_processes(communicator);
       const Part parts[] = {
         // The memory of libraries is measured with the smallest scene.
-        {"libraries", n_ranks == 1 ? 180e6 : 195e6, "take fewer processes"},
+        {"libraries", n_ranks == 1 ? 180e6 : 195e6, "use fewer processes"},
         {"mesh",
          double(space.mesh().memory_consumption() +
                 space.dof_handler.memory_consumption()),
@@ -174,7 +173,7 @@ namespace Crevasse
         {"solver",
          bytes_of_solvers(setup, n_ranks),
          "make the mesh coarser, lower [Linear solver] Memory for instants, or "
-         "take Type = gmg or amg where it is allowed"}};
+         "use Type = gmg or amg if they are allowed"}};
       const auto megabytes = [communicator](const double bytes) {
         return std::lround(1e-6 * Utilities::MPI::max(bytes, communicator));
       };
@@ -207,8 +206,7 @@ namespace Crevasse
       Text::Message                    text;
       if (time.step_control == StepControlType::adaptive)
         text << "  time: adaptive steps, relative tolerance "
-             << time.relative_tolerance << ", at first none longer than "
-             << step;
+             << time.relative_tolerance << ", initially at most " << step;
       else
         text << "  time: " << setup.steps.n_steps()
              << " steps a period, the largest " << step;
@@ -222,7 +220,7 @@ namespace Crevasse
       text << "; " << integrator.name << ", stable ";
       if (std::isfinite(integrator.stability_limit) &&
           setup.body.law.is_power_law())
-        return text << "with steps as the stress allows them";
+        return text << "with steps that depend on the stress";
       return std::isfinite(limit) ? text << "below " << limit
                                   : text << "with any step";
     }
@@ -306,21 +304,21 @@ namespace Crevasse
     for (const auto &integral : setup.creep_integrals)
       log.line(
         "  crack tip: " + Text::from_point(integral->region.tip.position) +
-        Text::format(", C(t) over squares that reach to %g and half of it",
+        Text::format(", C(t) over squares with half sides of %g and half of it",
                      integral->radius()));
     if (setup.crack_front != nullptr)
       log.line(setup.crack_front->describe());
     for (const auto &probe : setup.probes)
       {
         if (const auto &side = probe.side_of_interface)
-          log.line("  probe " + probe.name() +
-                   ": lies between materials, and has the stress of the cell "
-                   "around " +
-                   Text::from_point(*side));
+          log.line(
+            "  probe " + probe.name() +
+            ": lies between materials; its stress is that of the cell around " +
+            Text::from_point(*side));
         if (const auto &side = probe.side_of_crack)
           log.line("  probe " + probe.name() +
-                   ": lies on a crack, and has displacement and stress of the "
-                   "lip whose body lies towards " +
+                   ": lies on a crack; its displacement and stress are those "
+                   "of the lip on the side of " +
                    Text::from_point(dealii::Point<dim>(*side)));
       }
     for (const std::string &warning :

@@ -29,14 +29,14 @@ namespace Crevasse
                                 << " relaxation times";
       if (!choice.uses_fourier() && time.scheme == Scheme::trapezoid)
         all.push_back("[Time integration] Scheme = trapezoid" + steps +
-                      ": what relaxes so fast oscillates instead of decaying; "
-                      "with Scheme = sdirk2 it decays");
+                      ": stress that relaxes so fast oscillates instead of "
+                      "decaying; use Scheme = sdirk2");
       if (time.scheme == Scheme::exponential &&
           time.step_control != StepControlType::adaptive)
-        all.push_back("[Time integration] Scheme = exponential" + steps +
-                      " is stable, but what creeps under given loads creeps by "
-                      "about one elastic strain a step at most; Scheme = "
-                      "sdirk2 is exact there");
+        all.push_back(
+          "[Time integration] Scheme = exponential" + steps +
+          " is stable, but under given loads the body creeps by at most about "
+          "one elastic strain a step; use Scheme = sdirk2");
     }
   } // namespace
 
@@ -56,21 +56,20 @@ namespace Crevasse
         << "[Material] Thermal expansion and [Loads] Temperature: the thermal "
            "strain is up to "
         << setup.largest_thermal_strain
-        << "; the theory is one of small strains, much less than 1");
+        << "; the theory is for strains much less than 1");
     constexpr double      too_much = 0.5;
     const StepControlType control  = setup.scene.time_integration.step_control;
     if (setup.missed_load > too_much && control != StepControlType::adaptive)
-      all.push_back(Text::Message()
-                    << "[Time integration]: within a step the loads differ by "
-                    << std::lround(100. * setup.missed_load)
-                    << " % of their largest from a straight line between its "
-                       "ends; steps that "
-                       "are too few, or that meet a load at its zeros, "
-                    << (setup.integrator == nullptr ? "show" : "compute with")
-                    << " another load than the scene's. "
-                    << (control == StepControlType::list
-                          ? "Add instants to Steps"
-                          : "Raise Steps per period"));
+      all.push_back(
+        Text::Message()
+        << "[Time integration]: within a step the loads differ by "
+        << std::lround(100. * setup.missed_load)
+        << " % of their largest value from a straight line between its ends; "
+           "steps that are too few, or that end at zeros of a load, "
+        << (setup.integrator == nullptr ? "show" : "compute with")
+        << " another load than that of the scene. "
+        << (control == StepControlType::list ? "Add instants to Steps"
+                                             : "Raise Steps per period"));
     constexpr double is_jump = 0.2;
     if (setup.scene.crack_tip.creep_integral &&
         formulas_can_jump(setup.scene) && setup.missed_load > is_jump)
@@ -89,26 +88,24 @@ namespace Crevasse
         !formulas_can_jump(setup.scene))
       all.push_back(
         "[Loads] Period = " + Text::from_number(setup.steps.period()) +
-        ": loads or material jump where the period ends and t begins anew, "
-        "though no formula has a jump in it; at t = Period the tables show the "
-        "load of t = 0. Is this the period of the formulas? A load that is "
-        "applied once needs a longer Period, in which it returns to its "
-        "beginning");
+        ": loads or material jump at the end of the period, though no formula "
+        "has a jump; at t = Period the tables show the load of t = 0. Check "
+        "that this is the period of the formulas; a load that is applied once "
+        "needs a longer Period, in which it returns to its initial value");
     if (singular_functions(setup.scene).n == 3 && setup.body.effects.contact.on)
       all.emplace_back(
-        "[Discretisation] Singular functions = 3 with contact: where the lip "
-        "is pressed, the third one moves it between its nodes, and pressure "
-        "and K_I are off by some tenths of a per cent; 2 are not");
+        "[Discretisation] Singular functions = 3 with contact: the third "
+        "function moves the closed lip between its nodes, so that pressure and "
+        "K_I have errors of some tenths of a per cent; use 2");
     if (has_thermal_expansion(setup.scene.material))
       if (const double least =
             least_temperature(setup.body, setup.steps.period());
           least > 200.)
-        all.push_back(
-          Text::Message()
-          << "[Loads] Temperature is at least " << least
-          << " everywhere and always, as one in kelvin would be, but it is the "
-             "change from the temperature without thermal strain; subtract "
-             "that one");
+        all.push_back(Text::Message()
+                      << "[Loads] Temperature is at least " << least
+                      << " everywhere and always, as a temperature in kelvin "
+                         "would be, but it is the change from the temperature "
+                         "without thermal strain; subtract that temperature");
     if (!split.warning.empty())
       all.push_back(split.warning);
     warn_of_large_steps(setup, choice, all);

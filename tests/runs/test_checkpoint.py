@@ -280,7 +280,7 @@ def test_finished():
                           "periods.csv"}, str(tables))
     file = whole.directory / "summary.json"
     summary = json.loads(file.read_text())
-    for name, value, words in (("periods", "many", "is not what a run writes"),
+    for name, value, words in (("periods", "many", "is not a summary that a run writes"),
                                ("scene", None, "does not hold the scene")):
         file.write_text(json.dumps({**summary, name: value}))
         code, error = execute(whole.directory, longer, more=["--resume"])

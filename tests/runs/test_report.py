@@ -492,7 +492,7 @@ def folders_without_results():
     advice.mkdir(exist_ok=True)
     (advice / "advice.json").write_text("{}")
     for directory, message in (("results/nowhere", "no such directory"),
-                               (advice, "in advice.md"),
+                               (advice, "read its advice.md"),
                                (empty, "is empty"),
                                (other, "not the output directory of a run")):
         said = report(directory, 2)[1]
