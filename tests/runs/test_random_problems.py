@@ -123,7 +123,7 @@ def test_random_problems():
     for seed, text in enumerate(logs):
         if text is None:
             continue
-        numbers = {"states": re.search(r"samples differ by (\S+)", text)[1]}
+        numbers = {"states": re.search(r"periodic ones by (\S+)", text)[1]}
         line = re.search(r"periodic contact at \d+ nodes: .*", text)
         if line:
             n_contact += 1
