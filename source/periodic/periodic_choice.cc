@@ -37,35 +37,34 @@ namespace Crevasse
       if (!body.held_by_contact.empty())
         return choice(Method::march, what_contact_holds(body.held_by_contact));
       if (scene.periodic_state.secular_split == SecularSplitType::off)
-        return choice(Method::march,
-                      "Secular split = off leaves what flows in the viscous "
-                      "strain");
+        return choice(
+          Method::march,
+          "Secular split = off leaves the secular flow in the viscous strain");
       if (!scheme.flows_by_mean_load)
         return choice(Method::march,
                       std::string("the steps of Scheme = ") + scheme.name +
-                        " flow steadily in their own way");
+                        " do not reproduce the secular flow");
       if (obstacles.empty() &&
           (scheme.value == Scheme::trapezoid ||
            scheme.value == Scheme::automatic) &&
           !scene.time_integration.locate_contact_events)
-        return choice(Method::fourier, "nothing but the loads depends on time");
+        return choice(Method::fourier, "only the loads depend on time");
       if (const std::string flow = secular_obstacle(body);
           !flow.empty() && !body.law.has_spring())
         return choice(Method::march,
-                      "whether the viscous strain is periodic is not known, "
-                      "for " +
+                      "the viscous strain may not be periodic, because " +
                         flow);
       if (largest_relaxation_time <= short_time * scene.loads.period)
         return choice(Method::anderson,
                       "the stress is forgotten within a period");
       if (obstacles.empty())
         return choice(Method::anderson,
-                      "nothing but the loads depends on time; the last periods "
-                      "bring in what is the scheme's own",
+                      "only the loads depend on time; the last periods add the "
+                      "error of the scheme",
                       true);
       // The first obstacle, without the advice that follows it.
       return choice(Method::anderson,
-                    "no harmonic balance, for " +
+                    "no harmonic balance, because " +
                       obstacles.front().substr(0, obstacles.front().find(';')));
     }
 
@@ -105,18 +104,16 @@ namespace Crevasse
       choice.why = Text::parameter(PeriodicStateParameters::section, "Method") +
                    " = " + name_of(parameters.method);
       if (choice.method == Method::anderson && !body.held_by_contact.empty())
-        throw SceneError(choice.why + ": " +
-                         what_contact_holds(body.held_by_contact) +
-                         ", whose position may be any of several. Use Method = "
-                         "march.");
+        throw SceneError(
+          choice.why + ": " + what_contact_holds(body.held_by_contact) +
+          ", so that its position is not unique. Use Method = march.");
       if (choice.uses_fourier())
         require_fourier(scene, body, steps);
       if (const std::string flow = secular_obstacle(body);
           choice.method == Method::anderson && !flow.empty() &&
           !body.law.has_spring() && !body.law.is_power_law())
         throw SceneError(choice.why +
-                         ": whether there is a periodic viscous strain is not "
-                         "known, for " +
+                         ": the viscous strain may not be periodic, because " +
                          flow + ". Use Method = march.");
       if (choice.method == Method::anderson && body.law.is_power_law() &&
           has_mean_load(body, steps))

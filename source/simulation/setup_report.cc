@@ -304,8 +304,9 @@ namespace Crevasse
     for (const auto &integral : setup.creep_integrals)
       log.line(
         "  crack tip: " + Text::from_point(integral->region.tip.position) +
-        Text::format(", C(t) over squares with half sides of %g and half of it",
-                     integral->radius()));
+        Text::format(", C(t) over squares with half sides of %g and %g",
+                     integral->radius(),
+                     0.5 * integral->radius()));
     if (setup.crack_front != nullptr)
       log.line(setup.crack_front->describe());
     for (const auto &probe : setup.probes)

@@ -177,7 +177,7 @@ def test_refused():
             settings=["Output/Elastic comparison=open"])
     refused(pressed, 2, "contact alone holds the body", "Method = march",
             settings=["Periodic state/Method=fourier"])
-    refused(pressed, 2, "position may be any of several", "Method = march",
+    refused(pressed, 2, "its position is not unique", "Method = march",
             settings=["Periodic state/Method=anderson"])
 
 

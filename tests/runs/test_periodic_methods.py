@@ -161,17 +161,18 @@ def test_units():
 AUTOMATIC = {
     "elastic": (["Material/Viscosity=none"], "heun",
                 "march (without viscosity one period is enough)"),
-    "heun": ([], "heun", "anderson, started from fourier (automatic: nothing "
-                         "but the loads depends on time"),
+    "heun": ([], "heun", "anderson, started from fourier (automatic: only "
+                         "the loads depend on time"),
     "trapezoid": ([], "trapezoid",
-                  "fourier (automatic: nothing but the loads depends on time"),
+                  "fourier (automatic: only the loads depend on time"),
     "K(t)": (["Material/Stiffness time factor=1 + 0.3*sin(2*pi*t/600)"],
-             "heun", "anderson (automatic: no harmonic balance, for the stiffness varies"),
+             "heun", "anderson (automatic: no harmonic balance, because the stiffness "
+                     "varies"),
     "eta(t, x)": (["Material/Viscosity=isotropic",
                    "Material/Viscous modulus="
                    "13000*600*(1 + 0.5*x*sin(2*pi*t/600))",
                    "Material/Viscous Poisson ratio=0.2"], "heun",
-                  "march (automatic: whether the viscous strain is periodic"),
+                  "march (automatic: the viscous strain may not be periodic"),
     "split off": (["Periodic state/Secular split=off"], "heun",
                   "march (automatic: Secular split = off"),
     "exponential": ([], "exponential",
