@@ -45,8 +45,8 @@ namespace Crevasse
 
   namespace
   {
-    /** Existing files that a run writes besides used.prm, and reports about
-     * them, which would describe other results than those beside them.
+    /** Existing results of an earlier run besides used.prm, and reports about
+     * them, which would not describe the new results.
      * @throw FileError if a directory is in the way, before the run starts. */
     std::vector<fs::path>
     results_in(const std::string &directory)

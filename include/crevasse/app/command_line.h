@@ -13,7 +13,7 @@ namespace Crevasse
   enum ExitStatus
   {
     done              = 0,
-    bad_input         = 2, ///< found before the run
+    bad_input         = 2, ///< mistake found before the run
     numerical_failure = 3,
     file_failure      = 4,
     stopped           = 5 ///< on request, with a checkpoint
@@ -26,13 +26,13 @@ namespace Crevasse
     std::vector<std::string> overrides; ///< "Section/Name=value"
     std::string              output_directory;
     std::string              print_format; ///< prm, json, markdown or nothing
-    bool                     check         = false;
-    bool                     quiet         = false;
-    bool                     verbose       = false;
-    bool                     resume        = false;
-    bool                     force         = false; ///< replace earlier results
-    double                   wall_time     = 0.;    ///< seconds; 0: unlimited
-    bool                     stress_record = false; ///< use StressWriter
+    bool                     check   = false;
+    bool                     quiet   = false;
+    bool                     verbose = false;
+    bool                     resume  = false;
+    bool   force         = false; ///< whether to replace earlier results
+    double wall_time     = 0.;    ///< seconds; 0: unlimited
+    bool   stress_record = false; ///< whether to use StressWriter
 
     /** Whether to exit at once: after help, version, or a reported mistake. */
     bool       exit   = false;

@@ -74,11 +74,11 @@ namespace Crevasse
     void
     require_written();
 
-    const bool    first_rank;
-    const bool    quiet;
-    const bool    terminal;
-    bool          progress_shown = false;
-    bool          output_is_gone = false; ///< nobody reads the output any more
+    const bool first_rank;
+    const bool quiet;
+    const bool terminal;
+    bool       progress_shown = false;
+    bool output_is_gone = false; ///< whether nobody reads the output any more
     std::string   earlier_lines;
     std::string   name;
     std::ofstream file;

@@ -38,7 +38,7 @@ namespace Crevasse
   struct Origin
   {
     std::string  source;   ///< file, or --set "Section/Name=value"
-    unsigned int line = 0; ///< 0: no line
+    unsigned int line = 0; ///< line; 0: none
 
     /** The origin as text, "scene.prm:12". */
     std::string

@@ -17,7 +17,7 @@ namespace Crevasse
   struct Range
   {
     double      least, most;
-    const char *words; ///< "greater than 0"
+    const char *words; ///< words, "greater than 0"
 
     /** Whether the value is in the range; false for NaN. */
     constexpr bool

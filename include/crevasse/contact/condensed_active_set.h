@@ -83,7 +83,7 @@ namespace Crevasse
     const LipGraph             lip; ///< nodes of the small problem
     CondensedProblem           lip_problem;
     LipVector                  loads;
-    LipVector                  sign, springs; ///< on all ranks
+    LipVector                  sign, springs; ///< springs of all ranks
     dealii::FullMatrix<double> free_motions;  ///< one motion in each column
   };
 } // namespace Crevasse

@@ -194,7 +194,7 @@ namespace Crevasse
     [[noreturn]] void
     fail(const Certificate &certified, const std::size_t n_iterations) const;
 
-    double              load = 0.; ///< set by set_force_scale()
+    double              load = 0.; ///< from set_force_scale()
     Scales              scales_of_solutions;
     Vector              scaled_right_hand_side; ///< empty until first used
     Vector              residual;

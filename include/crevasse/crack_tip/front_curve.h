@@ -57,9 +57,9 @@ namespace Crevasse
 
     struct Chain
     {
-      bool                              is_closed = false;
-      dealii::Tensor<1, 3>              inward;
-      std::vector<dealii::Point<3>>     points;   ///< closed: first = last
+      bool                          is_closed = false;
+      dealii::Tensor<1, 3>          inward;
+      std::vector<dealii::Point<3>> points; ///< points; closed: first = last
       std::vector<dealii::Tensor<1, 3>> tangents; ///< unit tangents at points
       std::vector<double>               arcs;     ///< arc lengths s of points
 

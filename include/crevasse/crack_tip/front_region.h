@@ -31,7 +31,7 @@ namespace Crevasse
       double           s; ///< arc length
       /** Distances to the neighbours on the front; 0: no neighbour. */
       double before, after;
-      bool   on_symmetry; ///< on a plane of symmetry
+      bool   on_symmetry; ///< whether it is on a plane of symmetry
 
       bool
       is_end() const

@@ -140,7 +140,7 @@ namespace Crevasse
     const double                                     kappa_of_ring;
     std::vector<std::pair<unsigned int, Expression>> body_force;
     std::vector<Kernel>                              kernels;
-    bool                has_creep = false; ///< viscous strain enters
+    bool                has_creep = false; ///< whether viscous strain enters
     std::vector<double> of_contact_forces;
   };
 } // namespace Crevasse

@@ -90,7 +90,7 @@ namespace Crevasse
     }
 
     const PointGeometry          &points;
-    const std::optional<Matrices> constant_compliance; ///< if constant
+    const std::optional<Matrices> constant_compliance; ///< constant compliance
   };
 } // namespace Crevasse
 

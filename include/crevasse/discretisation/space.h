@@ -240,7 +240,7 @@ namespace Crevasse
     std::unique_ptr<const SingularShapes> shapes; ///< singular functions
     std::shared_ptr<const dealii::Utilities::MPI::Partitioner>
                               partitioner;  ///< layout of ghosted vectors
-    std::vector<std::uint8_t> rule_of_cell; ///< empty: first rule
+    std::vector<std::uint8_t> rule_of_cell; ///< rules, unless first
 
     mutable std::shared_ptr<const CellLoops<dim>> loops; ///< made on demand
   };

@@ -73,7 +73,7 @@ namespace Crevasse
 
     const Space<dim>           &space;
     const unsigned int          n_cell_points;
-    std::unique_ptr<Enrichment> enrichment; ///< null without singular functions
+    std::unique_ptr<Enrichment> enrichment; ///< singular functions, or null
     const std::shared_ptr<const CellLoops<dim>> loops;
     const CellKernels<double>                  &kernels;
 

@@ -220,10 +220,10 @@ namespace Crevasse
     dealii::FEFaceValues<dim>      displacement;
 
     std::vector<std::vector<dealii::Tensor<1, dim>>> gradients;
-    std::vector<dealii::Vector<double>> values_inside; ///< used with an axis
+    std::vector<dealii::Vector<double>> values_inside; ///< values for an axis
     std::vector<dealii::Vector<double>> here, there; ///< stress at face points
-    const Vector                        pressure;    ///< at dofs of the lip
-    std::vector<dealii::Vector<double>> pressures;   ///< at face points
+    const Vector pressure; ///< pressure at dofs of the lip
+    std::vector<dealii::Vector<double>> pressures; ///< pressure at face points
   };
 } // namespace Crevasse
 

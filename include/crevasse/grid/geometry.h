@@ -13,8 +13,8 @@ namespace Crevasse
   /** Numbers of cells of a mesh, which may exceed an integer. */
   struct CellCounts
   {
-    double first; ///< number before refinement
-    double all;   ///< number after refinement
+    double first; ///< number of cells before refinement
+    double all;   ///< number of cells after refinement
   };
 
   /**

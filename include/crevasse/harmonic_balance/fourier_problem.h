@@ -33,7 +33,7 @@ namespace Crevasse
   struct FourierResult
   {
     PeriodicMotion             motion;
-    std::optional<SecularFlow> flow; ///< without mean load: none
+    std::optional<SecularFlow> flow; ///< flow; none without mean load
     HarmonicRule               rule = HarmonicRule::trapezoid;
     std::vector<std::string>   warnings;
 

@@ -82,7 +82,7 @@ namespace Crevasse
       apply(synthesis, coefficients);
     }
 
-    /** Coefficients of zero: copies of @p model, which must be zero. */
+    /** Coefficients of the function 0: copies of @p model, a zero vector. */
     template <typename VectorType>
     std::vector<VectorType>
     zero(const VectorType &model) const

@@ -16,7 +16,7 @@ namespace Crevasse
   template <int dim>
   struct LipNode : LipBasis<dim>::Node
   {
-    unsigned int number; ///< number in LipBasis
+    unsigned int number; ///< number of the node in LipBasis
     double       gap;    ///< least normal displacement
 
     /** Normal displacement u_N of a displacement, or its rate. */

@@ -93,9 +93,9 @@ namespace Crevasse
     const Space<dim>                           &space;
     std::shared_ptr<const Cholesky::Factor>     analysis; ///< analysis, or null
     std::shared_ptr<const MultigridLevels<dim>> levels;   ///< levels, or null
-    std::size_t bytes_of_levels = 0;                      ///< 0 if shared
+    std::size_t bytes_of_levels = 0; ///< bytes, unless shared
 
-    SparseMatrix                            matrix; ///< empty: matrix-free
+    SparseMatrix                            matrix; ///< stiffness, or empty
     std::unique_ptr<const LinearOperator>   linear_operator; ///< stiffness A
     std::unique_ptr<const SignoriniProblem> signorini_problem;
     std::unique_ptr<LinearSolver>           open_solver;

@@ -146,7 +146,7 @@ namespace Crevasse
 
     const UnilateralBounds              bounds;
     std::optional<double>               sor_factor;  ///< factor, once found
-    std::shared_ptr<ContactSystem<dim>> only_system; ///< if K is constant
+    std::shared_ptr<ContactSystem<dim>> only_system; ///< system of a constant K
     std::shared_ptr<ContactSystem<dim>> last_system;
     SolverStatistics                    of_the_past;
     std::vector<Request> requests; ///< requests of cached systems, in order

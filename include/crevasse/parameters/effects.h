@@ -22,7 +22,7 @@ namespace Crevasse
 
     Effect contact;
     Effect viscosity;
-    Effect secular_flow; ///< off until the loads are known
+    Effect secular_flow; ///< secular flow, once loads are known
     Effect chain;
     /** Effects of MaterialParameters::free_strains(). */
     std::vector<Effect> free_strains;

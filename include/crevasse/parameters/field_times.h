@@ -14,7 +14,7 @@ namespace Crevasse
   struct FieldTimes
   {
     bool                of_extremes = false; ///< extremes of opening, force, K
-    bool                all         = false; ///< all steps
+    bool                all         = false; ///< instants of all steps
     unsigned int        n_equal     = 0;     ///< number of equidistant instants
     std::vector<double> listed;
 

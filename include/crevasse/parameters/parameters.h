@@ -156,7 +156,7 @@ namespace Crevasse
       const char     *parameter;
       const char     *effect; ///< name of the effect in the log
       const Formulas &components;
-      bool            in_volume; ///< else on boundaries with role Loaded
+      bool            in_volume; ///< force in the volume, else on a boundary
     };
 
     /** All forces: code that handles one handles each. */

@@ -37,8 +37,8 @@ namespace Crevasse
     double           largest_displacement = 0.;
     double           largest_opening      = 0.;
 
-    bool      fourier_failed = false; ///< Fourier failed on this mesh
-    bool      was_resumed    = false; ///< resumed in this stage
+    bool      fourier_failed = false; ///< whether Fourier failed on this mesh
+    bool      was_resumed    = false; ///< whether this stage was resumed
     MeshStage stage;
 
     dealii::Timer timer; ///< runs since the set-up of the meshes

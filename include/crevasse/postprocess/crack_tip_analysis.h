@@ -56,7 +56,7 @@ namespace Crevasse
     const StrainEnergy    energy;
     /** Whether the coefficients of singular functions are intensities. */
     const bool  has_singular_functions;
-    std::string no_c_star; ///< reason; empty: it is known
+    std::string no_c_star; ///< reason for no C*, or empty
 
   private:
     /** Reason why C* is unknown; empty: it is known. Finds the square with

@@ -15,7 +15,7 @@ namespace Crevasse
   /** Instants of a period at which a FieldWriter keeps the state. */
   struct FieldInstants
   {
-    bool             all = false; ///< keep all steps
+    bool             all = false; ///< whether to keep all steps
     std::set<double> chosen;      ///< instants of steps or end of period
     /** Quantities of a sample, nan for none: states are kept at the largest
      * value of each quantity in the period. */

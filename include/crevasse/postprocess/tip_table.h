@@ -62,8 +62,8 @@ namespace Crevasse
   struct TipContext
   {
     const StepList                   &steps;
-    const std::optional<SecularFlow> &flow;    ///< none: no flow found
-    LipClosure<2>                    *closure; ///< null without contact
+    const std::optional<SecularFlow> &flow;    ///< flow, if found
+    LipClosure<2>                    *closure; ///< closure, or null
     Log                              &log;
   };
 

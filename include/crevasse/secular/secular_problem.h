@@ -13,7 +13,7 @@ namespace Crevasse
   /** The split form u = βt + q: whether a scene is computed in it. */
   struct SecularSplit
   {
-    Effects::Effect effect;           ///< on: flow is solved for
+    Effects::Effect effect;           ///< effect; on: flow is solved for
     bool            is_split = false; ///< computes q, not u
     Vector          mean_load;        ///< f̄, if needed
     /** Whether the flow of the steps is known to rounding (in split form: the

@@ -56,7 +56,7 @@ namespace Crevasse
     is_file(const std::string &source);
 
   private:
-    std::optional<Expression> formula; ///< empty if a file is used
+    std::optional<Expression> formula; ///< formula, unless a file is used
     std::unique_ptr<const TemperatureFile<dim>> file;
   };
 } // namespace Crevasse

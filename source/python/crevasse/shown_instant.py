@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 # Copyright (C) 2026 by the Crevasse authors
 
-"""Which of the stored instants pictures show."""
+"""Chooses the stored instants that pictures show."""
 
 import numpy
 
