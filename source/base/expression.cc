@@ -242,8 +242,8 @@ namespace Crevasse
     {
       std::string function; ///< name before the bracket
       bool        is_first_argument = true;
-      std::size_t begin             = 0;     ///< first character of the part
-      bool        compares          = false; ///< has a comparison at this level
+      std::size_t begin             = 0; ///< first character of the part
+      bool        compares = false;      ///< whether it compares at this level
     };
     static const std::regex last_word("(\\w*) *$"),
       jumping("sign|rint|floor|ceil");

@@ -212,8 +212,8 @@ namespace Crevasse
         return left <= longest ? left : std::min(longest, 0.5 * left);
       }
 
-      /** Largest 2⁻ⁿ of the interval between fixed instants around t that ends
-       * on a multiple of itself and is not longer than @p longest. */
+      /** Longest step from t, at most @p longest, that is 2⁻ⁿ of the interval
+       * between fixed instants around t and ends on a multiple of itself. */
       double
       dyadic_step(const double t, const double longest) const
       {

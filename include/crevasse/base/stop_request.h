@@ -41,7 +41,7 @@ namespace Crevasse
     enum Request
     {
       none       = 0,
-      checkpoint = 1, ///< write a checkpoint and go on
+      checkpoint = 1, ///< request for a checkpoint only
       stop       = 2
     };
 

@@ -19,10 +19,10 @@ namespace Crevasse
    * singular one, as open lips have no s₂₂. */
   enum class CrackMode
   {
-    opening, ///< K_I
-    sliding, ///< K_II
-    tearing, ///< K_III, in space
-    constant ///< T
+    opening, ///< mode I, with K_I
+    sliding, ///< mode II, with K_II
+    tearing, ///< mode III, with K_III, in space
+    constant ///< constant stress T
   };
 
   /** Tip of a crack in the plane: where a face of the lip continues straight as

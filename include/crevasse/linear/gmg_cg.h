@@ -65,7 +65,7 @@ namespace Crevasse
 
     struct Level
     {
-      std::unique_ptr<Operator> A; ///< null on level 0
+      std::unique_ptr<Operator> A; ///< A, or null on level 0
       /** Chebyshev smoother (Adams et al., J. Comput. Phys. 188, 2003). */
       dealii::PreconditionChebyshev<Operator, LevelVector> smoother;
       std::vector<unsigned int> held; ///< held unknowns, local indices

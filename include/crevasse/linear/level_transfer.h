@@ -76,7 +76,7 @@ namespace Crevasse
 
     const Space<dim>                           &coarser;
     const Space<dim>                           &finer;
-    const std::shared_ptr<const CellLoops<dim>> loops; ///< coarser space
+    const std::shared_ptr<const CellLoops<dim>> loops; ///< coarser loops
     const std::shared_ptr<const CellLoops<dim>> finer_loops;
     std::vector<unsigned int> first_dofs; ///< first dof of each element node
     Rows                      rows;

@@ -52,7 +52,7 @@ namespace Crevasse
   private:
     const Space<dim>                   &space;
     const StiffnessProduct<dim, double> product;
-    mutable Vector copy_of_v, copy_of_result; ///< used if layouts differ
+    mutable Vector copy_of_v, copy_of_result; ///< result, if layouts differ
   };
 } // namespace Crevasse
 

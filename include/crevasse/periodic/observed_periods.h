@@ -22,7 +22,7 @@ namespace Crevasse
   struct PeriodicResult
   {
     unsigned int periods   = 0;
-    bool         converged = false; ///< error within tolerance, or elastic body
+    bool         converged = false; ///< whether periodic, within tolerance
     /** Whether the last two periods had most of their instants in common. */
     bool steps_repeat = true;
     /** ReturnDefect of the viscous strain over the last period; 0 where it does
@@ -210,7 +210,7 @@ namespace Crevasse
 
     Vector r_before, u_before; ///< r and u at the beginning of the period
     bool   ignores_drift = false;
-    bool   lip_opens     = false; ///< the whole lip is open and opens
+    bool   lip_opens     = false; ///< whether the whole lip is open and opens
 
     // Effort of the current period, including that before it was resumed.
     dealii::Timer            timer;

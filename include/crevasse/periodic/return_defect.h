@@ -102,7 +102,7 @@ namespace Crevasse
     /** Material that turns strain into stress; if it varies, at one instant. */
     const MaterialState<dim> &material;
     const SecularFlow        *flow;     ///< secular flow; null: none
-    const bool                is_split; ///< the strain lacks the flow
+    const bool                is_split; ///< whether the strain lacks the flow
     /** Mean of 1/η₀ over the period, instead of that of the instant: the strain
      * flows during the whole period. */
     const double            mean_fluidity_factor;

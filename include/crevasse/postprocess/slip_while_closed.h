@@ -113,7 +113,7 @@ namespace Crevasse
     const Body<dim>    &body;
     Log                &log;
     std::vector<double> lengths; ///< slip in the last period
-    std::vector<double> before;  ///< look_at() at the last sample
+    std::vector<double> before;  ///< states at the last sample
   };
 } // namespace Crevasse
 

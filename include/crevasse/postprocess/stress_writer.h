@@ -123,7 +123,7 @@ namespace Crevasse
     const Body<dim>                 &body;
     const std::string                file_name;
     std::vector<double>              instants;
-    std::vector<std::vector<double>> samples; ///< at least as many as instants
+    std::vector<std::vector<double>> samples; ///< samples, ≥ one an instant
   };
 } // namespace Crevasse
 

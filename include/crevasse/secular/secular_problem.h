@@ -14,7 +14,7 @@ namespace Crevasse
   struct SecularSplit
   {
     Effects::Effect effect;           ///< effect; on: flow is solved for
-    bool            is_split = false; ///< computes q, not u
+    bool            is_split = false; ///< whether the run computes q, not u
     Vector          mean_load;        ///< f̄, if needed
     /** Whether the flow of the steps is known to rounding (in split form: the
      * flow of the mean load that steps see): then the viscous strain of a

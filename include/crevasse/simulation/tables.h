@@ -40,7 +40,7 @@ namespace Crevasse
     std::vector<std::string> names;
 
   private:
-    const bool        is_continuing; ///< tables have rows already
+    const bool        is_continuing; ///< whether tables have rows already
     const std::string directory;
     const bool        writes;
   };

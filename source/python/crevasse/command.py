@@ -22,7 +22,7 @@ from crevasse.results import number
 
 
 class CommandError(Exception):
-    """The message for the user and the exit status."""
+    """An error, with the message for the user and the exit status."""
 
     def __init__(self, message, status):
         super().__init__(message)
