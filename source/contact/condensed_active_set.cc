@@ -105,6 +105,7 @@ namespace Crevasse
     unsigned int n_sets = 0;
     linear_solver.solve_with_lip(
       solution, right_hand_side, [&](LipVector &on_lip) {
+        const Stopwatch watch("contact on the lip");
         loads  = on_lip;
         n_sets = free_motions.n() > 0 ? solve_with_springs(on_lip)
                                       : lip_problem.solve(loads, on_lip);

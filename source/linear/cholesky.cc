@@ -282,15 +282,16 @@ namespace Crevasse
 
 
   void
-  Cholesky::back_solve_with_lip(double           *solution,
-                                const double     *right_hand_side,
-                                const LipProblem &lip_problem)
+  Cholesky::solve_with_lip(Vector           &solution,
+                           const Vector     &right_hand_side,
+                           const LipProblem &lip_problem)
   {
-    const int  n = factor->work.size(), begin = n - lip.size();
-    double    *y     = factor->work.data();
-    const int *order = factor->order();
+    const Stopwatch watch("linear solves");
+    const int       n = factor->work.size(), begin = n - lip.size();
+    double         *y     = factor->work.data();
+    const int      *order = factor->order();
     for (int i = 0; i < n; ++i)
-      y[i] = right_hand_side[order[i]];
+      y[i] = right_hand_side.local_element(order[i]);
     factor->substitution->forward(y, begin);
     for (unsigned int i = 0; i < lip.size(); ++i)
       factor->on_lip(i) = y[factor->lip_places[i]];
@@ -299,6 +300,7 @@ namespace Crevasse
       y[factor->lip_places[i]] = factor->on_lip(i);
     factor->substitution->backward(y, begin);
     for (int i = 0; i < n; ++i)
-      solution[order[i]] = y[i];
+      solution.local_element(order[i]) = y[i];
+    ++solves;
   }
 } // namespace Crevasse

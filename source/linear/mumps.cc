@@ -45,20 +45,22 @@ namespace Crevasse
   void
   Mumps::precondition(Vector &solution, const Vector &right_hand_side)
   {
-    back_solve_with_lip(solution.begin(),
-                        right_hand_side.begin(),
-                        [&](LipVector &on_lip) { lip_factor.solve(on_lip); });
+    std::vector<double> on_root = factor.gather(right_hand_side.begin());
+    factor.solve(on_root, [&](LipVector &on_lip) { lip_factor.solve(on_lip); });
+    factor.scatter(on_root, solution.begin());
   }
 
 
 
   void
-  Mumps::back_solve_with_lip(double           *solution,
-                             const double     *right_hand_side,
-                             const LipProblem &lip_problem)
+  Mumps::solve_with_lip(Vector           &solution,
+                        const Vector     &right_hand_side,
+                        const LipProblem &lip_problem)
   {
-    std::vector<double> on_root = factor.gather(right_hand_side);
+    const Stopwatch     watch("linear solves");
+    std::vector<double> on_root = factor.gather(right_hand_side.begin());
     factor.solve(on_root, lip_problem);
-    factor.scatter(on_root, solution);
+    factor.scatter(on_root, solution.begin());
+    ++solves;
   }
 } // namespace Crevasse

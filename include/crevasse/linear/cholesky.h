@@ -50,11 +50,10 @@ namespace Crevasse
     void
     precondition(Vector &solution, const Vector &right_hand_side) override;
 
-  protected:
     void
-    back_solve_with_lip(double           *solution,
-                        const double     *right_hand_side,
-                        const LipProblem &lip_problem) override;
+    solve_with_lip(Vector           &solution,
+                   const Vector     &right_hand_side,
+                   const LipProblem &lip_problem) override;
 
   private:
     /** Computes Σ from the lip's part of the factor. */

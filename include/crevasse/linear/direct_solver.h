@@ -42,10 +42,10 @@ namespace Crevasse
     /** Solves A q = b, where @p lip_problem solves for the lip, whose unknowns
      * have the order of the constructor's argument. Each rank solves the
      * problem on the lip. Counts as one solve. Collective. */
-    void
+    virtual void
     solve_with_lip(Vector           &solution,
                    const Vector     &right_hand_side,
-                   const LipProblem &lip_problem);
+                   const LipProblem &lip_problem) = 0;
 
     /** Condensed stiffness Σ of the lip, on all ranks. */
     const dealii::LAPACKFullMatrix<double> &
@@ -71,12 +71,6 @@ namespace Crevasse
       precondition(solution, right_hand_side);
       return 0;
     }
-
-    /** Implements solve_with_lip() for the locally owned entries. */
-    virtual void
-    back_solve_with_lip(double           *solution,
-                        const double     *right_hand_side,
-                        const LipProblem &lip_problem) = 0;
 
     dealii::LAPACKFullMatrix<double> schur_complement; ///< Σ
   };
