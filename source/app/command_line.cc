@@ -188,19 +188,20 @@ namespace Crevasse
 
 
   Command
-  parse_command_line(const int argc, const char *const *argv)
+  parse_command_line(const std::vector<std::string> &words)
   {
     Command  command;
     CLI::App app(
       "Crevasse: periodic states of cracked viscoelastic solids "
-      "with one-sided contact on the crack lips.");
+      "with one-sided contact on the crack lips.",
+      words.front());
     app.set_version_flag("--version", "crevasse " CREVASSE_VERSION);
     app.footer(examples_and_statuses);
     app.failure_message(failure_message);
     add_options(app, command);
     for (const ScriptCommand &script : script_commands())
       app.add_subcommand(script.name, script.meaning)->allow_extras();
-    if (argc <= 1)
+    if (words.size() <= 1)
       {
         std::cerr << what_to_do_next;
         command.exit   = true;
@@ -209,7 +210,8 @@ namespace Crevasse
       }
     try
       {
-        app.parse(argc, argv);
+        // CLI11 takes the last argument first.
+        app.parse(std::vector<std::string>(words.rbegin(), words.rend() - 1));
         decide(app, command);
       }
     catch (const CLI::ParseError &error)

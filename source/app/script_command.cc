@@ -53,25 +53,25 @@ namespace Crevasse
 
 
   bool
-  is_script_command(const int argc, const char *const *argv)
+  is_script_command(const std::vector<std::string> &words)
   {
     const auto &commands = script_commands();
-    return argc > 1 && std::any_of(commands.begin(),
-                                   commands.end(),
-                                   [argv](const ScriptCommand &command) {
-                                     return command.name == argv[1];
-                                   });
+    return words.size() > 1 && std::any_of(commands.begin(),
+                                           commands.end(),
+                                           [&words](const auto &command) {
+                                             return command.name == words[1];
+                                           });
   }
 
 
 
   int
-  run_script_command(const int argc, char **argv, const Program program_main)
+  run_script_command(const std::vector<std::string> &words)
   {
     std::error_code   error;
     const fs::path    program   = fs::read_symlink("/proc/self/exe", error);
     const fs::path    directory = find_package(program);
-    const std::string name      = argv[1];
+    const std::string name      = words[1];
     if (directory.empty())
       {
         std::cerr << "crevasse " << name
@@ -89,12 +89,15 @@ namespace Crevasse
     setenv("CREVASSE_PROGRAM", program.c_str(), 1);
     setenv("CREVASSE_VERSION", CREVASSE_VERSION, 1);
 
-    leave_server(program_main);
     // -B: Python writes no bytecode beside the scripts.
-    std::vector<const char *> words = {CREVASSE_PYTHON, "-B", "-m", "crevasse"};
-    words.insert(words.end(), argv + 1, argv + argc);
-    words.push_back(nullptr);
-    execv(words[0], const_cast<char *const *>(words.data()));
+    std::vector<const char *> arguments = {CREVASSE_PYTHON,
+                                           "-B",
+                                           "-m",
+                                           "crevasse"};
+    for (std::size_t i = 1; i < words.size(); ++i)
+      arguments.push_back(words[i].c_str());
+    arguments.push_back(nullptr);
+    execv(arguments[0], const_cast<char *const *>(arguments.data()));
     std::cerr << "crevasse " << name << ": cannot start "
               << CREVASSE_PYTHON
       ". Install Debian's packages python3-jinja2, "

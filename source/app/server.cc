@@ -39,8 +39,9 @@ namespace Crevasse
 
 
 
-    [[noreturn]] void
-    run(const Json &request, const Program program)
+    /** Prepares the process of a run. @return the words of its command. */
+    std::vector<std::string>
+    begin_run(const Json &request)
     {
       prctl(PR_SET_PDEATHSIG, SIGKILL);
       redirect(STDIN_FILENO, request, "input", O_RDONLY);
@@ -59,11 +60,7 @@ namespace Crevasse
       std::vector<std::string> words = {"crevasse"};
       for (const auto &word : request.at("arguments"))
         words.push_back(word);
-      std::vector<char *> pointers;
-      for (std::string &word : words)
-        pointers.push_back(word.data());
-      pointers.push_back(nullptr);
-      std::exit(program(int(words.size()), pointers.data()));
+      return words;
     }
 
 
@@ -79,9 +76,10 @@ namespace Crevasse
 
 
 
-    /** Runs a request in a child process and waits for its end. */
-    [[noreturn]] void
-    watch(const std::string &line, const Program program)
+    /** Runs a request in a child process, and waits for its end.
+     * @return the words of the request in the child process alone. */
+    std::vector<std::string>
+    watch(const std::string &line)
     {
       prctl(PR_SET_PDEATHSIG, SIGKILL);
       std::signal(SIGCHLD, SIG_DFL);
@@ -104,7 +102,7 @@ namespace Crevasse
       if (child == 0)
         try
           {
-            run(request, program);
+            return begin_run(request);
           }
         catch (const Json::exception &error)
           {
@@ -130,8 +128,8 @@ namespace Crevasse
 
 
 
-  int
-  serve(const Program program)
+  std::vector<std::string>
+  serve()
   {
     setsid(); // terminal signals are for others
     std::signal(SIGCHLD, SIG_IGN);
@@ -139,17 +137,17 @@ namespace Crevasse
       {
         const pid_t child = fork();
         if (child == 0)
-          watch(line, program);
+          return watch(line);
         if (child < 0)
-          return file_failure;
+          std::_Exit(file_failure);
       }
-    return done;
+    std::_Exit(done);
   }
 
 
 
-  void
-  leave_server(const Program program)
+  std::optional<std::vector<std::string>>
+  leave_server()
   {
     // A pipe must not get the descriptor of a closed standard stream.
     for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
@@ -157,7 +155,7 @@ namespace Crevasse
         open("/dev/null", O_RDWR);
     int requests[2], answers[2];
     if (pipe(requests) != 0 || pipe(answers) != 0)
-      return;
+      return {};
     const pid_t child = fork();
     if (child == 0)
       {
@@ -165,7 +163,7 @@ namespace Crevasse
         dup2(answers[1], STDOUT_FILENO);
         for (const int end : {requests[0], requests[1], answers[0], answers[1]})
           close(end);
-        std::_Exit(serve(program));
+        return serve();
       }
     close(requests[0]);
     close(answers[1]);
@@ -173,11 +171,12 @@ namespace Crevasse
       {
         close(requests[1]);
         close(answers[0]);
-        return;
+        return {};
       }
     setenv(
       "CREVASSE_SERVER",
       (std::to_string(requests[1]) + ',' + std::to_string(answers[0])).c_str(),
       1);
+    return {};
   }
 } // namespace Crevasse

@@ -20,10 +20,10 @@ namespace Crevasse
                            const Summary     &scene,
                            const unsigned int every)
     : requests(requests)
+    , directory(directory)
     , folder(directory)
     , scene(scene)
     , log(log)
-    , directory(directory)
     , every(every)
   {
   }

@@ -19,7 +19,8 @@ namespace Crevasse
                     {"linear_iterations", &SolverStatistics::linear_iterations},
                     {"vi_solves", &SolverStatistics::vi_solves},
                     {"vi_iterations", &SolverStatistics::vi_iterations},
-                    {"implicit_stages", &SolverStatistics::implicit_stages}};
+                    {"implicit_stages", &SolverStatistics::implicit_stages},
+                    {"rate_evaluations", &SolverStatistics::rate_evaluations}};
   } // namespace
 
 
@@ -38,10 +39,17 @@ namespace Crevasse
 
 
   void
-  SolverStatistics::add_to(Summary &summary) const
+  SolverStatistics::add_counters(Summary &summary) const
   {
     for (const auto &[name, counter] : counters)
       summary["counters"][name] = this->*counter;
+  }
+
+
+
+  void
+  SolverStatistics::add_certificate(Summary &summary) const
+  {
     summary["certificate"].update(
       {{"penetration", certificate.penetration},
        {"tension", certificate.tension},

@@ -13,19 +13,18 @@ namespace Crevasse
 
   namespace
   {
-    /** Computes values of the material for a time c: AlgorithmicModuli or
+    /** Computes values of the material for κ: AlgorithmicModuli or
      * RelaxationFunctions. */
     template <typename Values, int dim>
     std::shared_ptr<Values>
     make_values(const Body<dim>          &body,
                 const MaterialState<dim> &material,
-                const double              c)
+                const double              kappa)
     {
       std::shared_ptr<Values> values;
       collectively(body.space.communicator(), [&]() {
-        values = std::make_shared<Values>(material,
-                                          material.kappa(c),
-                                          body.points.n_local_points);
+        values =
+          std::make_shared<Values>(material, kappa, body.points.n_local_points);
       });
       return values;
     }
@@ -44,7 +43,14 @@ namespace Crevasse
                scene.linear_solver,
                choice.linear,
                choice.contact,
-               {},
+               [this, &steps](const SparseMatrix &A) {
+                 if (!sor_factor)
+                   sor_factor = relaxation_factor(
+                     A,
+                     loads_at(this->body,
+                              instant_of_largest_load(this->body, steps)));
+                 return *sor_factor;
+               },
                largest_load}
     , scene(scene)
     , body(body)
@@ -63,8 +69,6 @@ namespace Crevasse
     , systems(memory,
               [this](const ContactSystem<dim> &system) {
                 add(system.statistics());
-                // A dropped system was requested last before the new one.
-                requests.erase(requests.end() - 2);
               })
     , tangents(body,
                scene.loads.period,
@@ -74,15 +78,6 @@ namespace Crevasse
                 },
                 [this](const auto &moduli) { return make_system(moduli); }})
   {
-    settings.relaxation_factor = [this, &steps](const SparseMatrix &A) {
-      if (!sor_factor)
-        sor_factor = relaxation_factor(
-          A, loads_at(this->body, instant_of_largest_load(this->body, steps)));
-      return *sor_factor;
-    };
-    if (!body.material.stiffness_varies)
-      only_system = make_system(*body.material.at(0.).stiffness);
-    log.line("  solver: " + system_at(0.).contact_solver().description());
   }
 
 
@@ -93,10 +88,10 @@ namespace Crevasse
     const typename MaterialState<dim>::Matrices &stiffness) const
   {
     auto system = std::make_shared<ContactSystem<dim>>(
-      settings, body.space, body.points, stiffness, bounds, last_system.get());
-    if (last_system != nullptr)
+      settings, body.space, body.points, stiffness, bounds, last.system.get());
+    if (last.system != nullptr)
       system->contact_solver().start_from(
-        last_system->contact_solver().closed_bounds());
+        last.system->contact_solver().closed_bounds());
     return system;
   }
 
@@ -123,14 +118,25 @@ namespace Crevasse
   ContactSystem<dim> &
   ContactSystemCache<dim>::system_at(const double t)
   {
-    last_request = {Request::of_stiffness, t, 0.};
-    last_system =
-      only_system != nullptr ? only_system : systems.at({t, 0.}, [&]() {
-        auto system = make_system(*material_at(t).stiffness);
-        requests.push_back(last_request);
-        return system;
-      });
-    return *last_system;
+    const auto make = [&]() { return make_system(*material_at(t).stiffness); };
+    if (!body.material.stiffness_varies && only_system == nullptr)
+      only_system = make();
+    last = {{t, 0.},
+            only_system != nullptr ? only_system : systems.at({t, 0.}, make)};
+    return *last.system;
+  }
+
+
+
+  template <int dim>
+  const AlgorithmicModuli<dim> &
+  ContactSystemCache<dim>::moduli_of(const Key &key)
+  {
+    return *moduli.at(key, [&]() {
+      return make_values<AlgorithmicModuli<dim>>(body,
+                                                 material_at(key.first),
+                                                 key.second);
+    });
   }
 
 
@@ -139,11 +145,9 @@ namespace Crevasse
   ImplicitInstant<dim>
   ContactSystemCache<dim>::implicit_material_at(const double t, const double c)
   {
-    const MaterialState<dim> &material = material_at(t);
-    const auto values = moduli.at(step_key(t, c, material), [&]() {
-      return make_values<AlgorithmicModuli<dim>>(body, material, c);
-    });
-    return {material, *values, nullptr};
+    const AlgorithmicModuli<dim> &values =
+      moduli_of(step_key(t, c, material_at(t)));
+    return {material_at(t), values, nullptr}; // with the factors of t
   }
 
 
@@ -153,10 +157,11 @@ namespace Crevasse
   ContactSystemCache<dim>::relaxation_at(const double t, const double c)
   {
     const MaterialState<dim> &material = material_at(t);
-    last_relaxation = relaxation.at(step_key(t, c, material), [&]() {
-      return make_values<RelaxationFunctions<dim>>(body, material, c);
+    return *relaxation.at(step_key(t, c, material), [&]() {
+      return make_values<RelaxationFunctions<dim>>(body,
+                                                   material,
+                                                   material.kappa(c));
     });
-    return *last_relaxation;
   }
 
 
@@ -166,13 +171,8 @@ namespace Crevasse
   ContactSystemCache<dim>::implicit_at(const double t, const double c)
   {
     ImplicitInstant<dim> instant = implicit_material_at(t, c);
-    last_request                 = {Request::of_implicit_stage, t, c};
-    last_system = systems.at(step_key(t, c, instant.material), [&]() {
-      auto system = make_system(instant.moduli.sum);
-      requests.push_back(last_request);
-      return system;
-    });
-    instant.contact_solver = &last_system->contact_solver();
+    instant.contact_solver =
+      &system_of(step_key(t, c, instant.material)).contact_solver();
     return instant;
   }
 
@@ -196,24 +196,25 @@ namespace Crevasse
   ContactSystemCache<dim>::use(const double                            t,
                                const typename KeptTangents<dim>::Kept &kept)
   {
-    last_request = {Request::of_tangent, t, kept.c};
-    last_system  = kept.system;
-    return {&kept.moduli, &last_system->contact_solver()};
+    last = {{t, tangent}, kept.system};
+    return {&kept.moduli, &kept.system->contact_solver()};
   }
 
 
 
   template <int dim>
   ContactSystem<dim> &
-  ContactSystemCache<dim>::system_of(const Request &request)
+  ContactSystemCache<dim>::system_of(const Key &key)
   {
-    if (request.kind == Request::of_stiffness)
-      return system_at(request.t);
-    if (request.kind == Request::of_implicit_stage)
-      implicit_at(request.t, request.c);
+    if (key.second == 0.)
+      return system_at(key.first);
+    if (key.second == tangent)
+      use(key.first, *tangents.nearest(key.first));
     else
-      use(request.t, *tangents.nearest(request.t));
-    return *last_system;
+      last = {key, systems.at(key, [&]() {
+                return make_system(moduli_of(key).sum);
+              })};
+    return *last.system;
   }
 
 
@@ -223,21 +224,18 @@ namespace Crevasse
   ContactSystemCache<dim>::serialize(StateArchive &archive)
   {
     archive.section("contact solvers");
-    bool                 is_used = last_system != nullptr;
-    Request              last    = last_request;
-    std::vector<Request> kept;
+    Key              key = last.key;
+    std::vector<Key> keys;
     if (!archive.is_loading())
-      kept = requests;
-    archive.common(is_used);
-    archive.common(last);
-    archive.common_list(kept);
+      keys = systems.keys();
+    archive.common(key);
+    archive.common(keys);
     if (only_system != nullptr)
       only_system->contact_solver().serialize(archive);
     tangents.serialize(archive);
-    for (const Request &request : kept)
-      system_of(request).contact_solver().serialize(archive);
-    if (is_used)
-      system_of(last);
+    for (const Key &kept : keys)
+      system_of(kept).contact_solver().serialize(archive);
+    system_of(key);
   }
 
 

@@ -8,37 +8,33 @@
 
 namespace Crevasse
 {
-  namespace
+  template <int dim>
+  ObservedPeriods<dim>::ObservedPeriods(
+    Evolution<dim>                &evolution,
+    Integrator                    *integrator,
+    StepList                      &steps,
+    const std::vector<Observer *> &observers,
+    Checkpointer                  &checkpointer,
+    const SearchLimits            &limits)
+    : evolution(evolution)
+    , integrator(integrator)
+    , steps(steps)
+    , observers(observers)
+    , writer(checkpointer)
+    , limits(limits)
+    , history(steps.period())
+    , part(&checkpointer, [this](StateArchive &archive) { serialize(archive); })
   {
-    /** Number of variational inequalities solved so far. */
-    std::size_t
-    n_solves()
-    {
-      return meters["contact problems"].calls;
-    }
-  } // namespace
+    evolution.repeat(steps);
+  }
 
 
 
   template <int dim>
-  ObservedPeriods<dim>::ObservedPeriods(
-    const PeriodIntegration<dim>  &integration,
-    const std::vector<Observer *> &observers,
-    const SearchLimits            &limits,
-    const PeriodicResult          &before,
-    const bool                     is_comparable,
-    const ReturnDefect<dim>       *defect)
-    : integration(integration)
-    , observers(observers)
-    , limits(limits)
-    , is_comparable(is_comparable)
-    , defect(defect)
-    , history(integration.steps.period())
-    , so_far(before)
-    , part(integration.checkpointer,
-           [this](StateArchive &archive) { serialize(archive); })
+  std::size_t
+  ObservedPeriods<dim>::n_solves() const
   {
-    integration.evolution.repeat(integration.steps);
+    return evolution.statistics().vi_solves;
   }
 
 
@@ -95,9 +91,8 @@ namespace Crevasse
     const bool ends = is_over();
     // The start of the first period on another mesh cannot be reproduced, nor
     // can iterative solutions, which start from earlier ones.
-    if (ends && has_memory() && integration.evolution.repeats_exactly() &&
-        integration.step_control.repeats_steps() &&
-        !integration.integrator->properties.controls_steps &&
+    if (ends && has_memory() && evolution.repeats_exactly() &&
+        integrator->properties.repeats_steps &&
         std::isfinite(so_far.stress_change.back()))
       replay_from = r_before;
     if (has_memory())
@@ -111,9 +106,9 @@ namespace Crevasse
       serialize_step(archive, first_step, r);
     });
     if (ends)
-      checkpointer()->at_end_of_search(so_far.periods, so_far.converged);
+      writer.at_end_of_search(so_far.periods, so_far.converged);
     else
-      checkpointer()->between_steps(so_far.periods, first_step);
+      writer.between_steps(so_far.periods, first_step);
     --so_far.periods; // counts complete periods
     return first_step > 0 || !is_over();
   }
@@ -130,21 +125,20 @@ namespace Crevasse
     archive.common(so_far.periods);
     archive.common(k);
     archive.at_points(r);
-    integration.evolution.serialize(archive);
-    integration.steps.serialize(archive);
-    integration.step_control.serialize(archive);
+    evolution.serialize(archive);
+    steps.serialize(archive);
     if (has_memory())
-      integration.integrator->serialize(archive);
+      integrator->serialize(archive);
   }
 
 
 
   template <int dim>
-  void
-  ObservedPeriods<dim>::advance(Vector &r)
+  double
+  ObservedPeriods<dim>::compute(Vector &r)
   {
-    const StepList          &steps = integration.steps;
-    unsigned int             k     = first_step;
+    ++so_far.periods;
+    unsigned int             k = first_step;
     const SerializationScope here(checkpointer(), [&](StateArchive &archive) {
       serialize_step(archive, k, r);
     });
@@ -154,9 +148,8 @@ namespace Crevasse
       try
         {
           if (k > first_step &&
-              (!has_memory() ||
-               !integration.integrator->properties.controls_steps))
-            checkpointer()->between_steps(so_far.periods, k);
+              (!has_memory() || !integrator->properties.controls_steps))
+            writer.between_steps(so_far.periods, k);
           if (replay_from.size() > 0)
             replay();
           advance_step(k, r);
@@ -169,6 +162,7 @@ namespace Crevasse
                                << " to " << steps.instant(k + 1) << ": "
                                << error.what());
         }
+    return end_period(r);
   }
 
 
@@ -180,7 +174,7 @@ namespace Crevasse
     const std::size_t solves = n_solves();
     Vector            r;
     r.swap(replay_from);
-    for (unsigned int k = 0; k < integration.steps.n_steps(); ++k)
+    for (unsigned int k = 0; k < steps.n_steps(); ++k)
       advance_step(k, r, false);
     history.take_change();
     solves_before += n_solves() - solves;
@@ -195,12 +189,8 @@ namespace Crevasse
                                      Vector            &r,
                                      const bool         is_shown)
   {
-    auto &[evolution, integrator, step_control, steps, _] = integration;
     if (k == 0 && has_memory())
-      {
-        integrator->restart();
-        step_control.begin_period(steps);
-      }
+      integrator->begin_period();
     const double t = steps.instant(k);
     evolution.begin_step(t);
     if (has_memory())
@@ -208,7 +198,7 @@ namespace Crevasse
         // The rate at the end of the last step is from before the jump.
         if (steps.jumps_at(t))
           integrator->restart();
-        step_control.start({*integrator, evolution, steps, k, r, rate});
+        integrator->start(evolution, t, r, rate);
       }
     else
       evolution.elastic_state(t);
@@ -224,7 +214,7 @@ namespace Crevasse
     if (is_shown)
       show(sample(k, r));
     if (has_memory())
-      step_control.advance({*integrator, evolution, steps, k, r, rate});
+      integrator->advance({evolution, t, steps.step(k), rate, r});
     if (steps.jumps_at(steps.instant(k + 1)))
       end_before_jump(k + 1, r, is_shown);
   }
@@ -238,11 +228,11 @@ namespace Crevasse
                                         const bool         is_shown)
   {
     Sample end  = sample(k, r);
-    end.instant = integration.steps.just_before(end.instant);
+    end.instant = steps.just_before(end.instant);
     if (has_memory())
-      integration.evolution.rate(end.instant, r, rate);
+      evolution.rate(end.instant, r, rate);
     else
-      integration.evolution.elastic_state(end.instant);
+      evolution.elastic_state(end.instant);
     history.record(end.instant, end.state.stress);
     if (is_shown)
       for (Observer *observer : observers)
@@ -255,10 +245,8 @@ namespace Crevasse
   Sample
   ObservedPeriods<dim>::sample(const unsigned int k, const Vector &r) const
   {
-    const StepList       &steps     = integration.steps;
-    const Evolution<dim> &evolution = integration.evolution;
-    const bool            is_end    = k == steps.n_steps();
-    const double          t         = steps.instant(k);
+    const bool   is_end = k == steps.n_steps();
+    const double t      = steps.instant(k);
     return {so_far.periods,
             k,
             is_end ? so_far.periods * steps.period()
@@ -274,10 +262,8 @@ namespace Crevasse
 
   template <int dim>
   double
-  ObservedPeriods<dim>::compute(Vector &r)
+  ObservedPeriods<dim>::end_period(const Vector &r)
   {
-    ++so_far.periods;
-    advance(r);
     double change       = history.take_change();
     so_far.steps_repeat = history.is_comparable();
     // A change needs enough common instants and a period on the same mesh.
@@ -286,7 +272,7 @@ namespace Crevasse
     is_comparable = true;
     so_far.stress_change.push_back(change);
     last = {so_far.periods,
-            so_far.periods * integration.steps.period(),
+            so_far.periods * steps.period(),
             change,
             0.,
             history.largest_stress(),
@@ -324,12 +310,12 @@ namespace Crevasse
     if (has_memory())
       {
         rate.reinit(r, true);
-        integration.evolution.rate(0., r, rate);
+        evolution.rate(0., r, rate);
       }
     else
-      integration.evolution.elastic_state(0.);
+      evolution.elastic_state(0.);
     if (is_shown)
-      show(sample(integration.steps.n_steps(), r));
+      show(sample(steps.n_steps(), r));
   }
 
 

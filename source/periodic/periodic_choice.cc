@@ -31,8 +31,12 @@ namespace Crevasse
       const auto  choice = [](const Method       method,
                              const std::string &why,
                              const bool         starts_from_fourier = false) {
-        return PeriodicChoice{
-          method, starts_from_fourier, true, "automatic: " + why, {}};
+        PeriodicChoice all;
+        all.method              = method;
+        all.starts_from_fourier = starts_from_fourier;
+        all.may_fall_back       = true;
+        all.why                 = "automatic: " + why;
+        return all;
       };
       if (!body.held_by_contact.empty())
         return choice(Method::march, what_contact_holds(body.held_by_contact));
@@ -137,11 +141,11 @@ namespace Crevasse
                          const double     largest_relaxation_time)
   {
     if (!body.effects.viscosity.on)
-      return {Method::march,
-              false,
-              false,
-              "without viscosity one period is enough",
-              {}};
+      {
+        PeriodicChoice one_period;
+        one_period.why = "without viscosity one period is enough";
+        return one_period;
+      }
     PeriodicChoice choice = choose(scene, body, steps, largest_relaxation_time);
     if (scene.periodic_state.method == Method::march &&
         choose_automatically(scene, body, steps, largest_relaxation_time)

@@ -134,7 +134,7 @@ namespace Crevasse
 
   template <int dim>
   void
-  FieldWriter<dim>::summarise(Summary &)
+  FieldWriter<dim>::finish()
   {
     const Stopwatch      watch("fields", snapshots.size());
     const MPI_Comm       communicator = body.space.communicator();

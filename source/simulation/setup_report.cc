@@ -7,7 +7,6 @@
 #include <crevasse/base/text.h>
 #include <crevasse/model/mesh_materials.h>
 #include <crevasse/simulation/setup_report.h>
-#include <crevasse/simulation/warnings.h>
 
 #include <deal.II/grid/grid_tools.h>
 
@@ -19,12 +18,12 @@ namespace Crevasse
   {
     template <int dim>
     double
-    n_instants_of_fields(const RunSetup<dim> &setup)
+    n_instants_of_fields(const Run<dim> &run)
     {
-      const FieldTimes &times = *setup.scene.output.field_times;
-      return 1. + (times.of_extremes ? 3. + 2. * setup.crack_tips.size() : 0.) +
-             (times.all ? setup.steps.n_steps()
-                        : times.instants(setup.steps.period()).size());
+      const FieldTimes &times = *run.scene.output.field_times;
+      return 1. + (times.of_extremes ? 3. + 2. * run.crack_tips.size() : 0.) +
+             (times.all ? run.steps.n_steps()
+                        : times.instants(run.steps.period()).size());
     }
 
 
@@ -32,12 +31,12 @@ namespace Crevasse
     /** Memory for fields at quadrature points and unknowns, on this rank. */
     template <int dim>
     double
-    bytes_of_fields(const RunSetup<dim> &setup)
+    bytes_of_fields(const Run<dim> &run)
     {
-      const Body<dim>      &body    = setup.body;
-      const Scene          &scene   = setup.scene;
-      const PeriodicChoice &choice  = setup.periodic_choice;
-      const double          n_steps = setup.steps.n_steps();
+      const Body<dim>      &body    = run.body;
+      const Scene          &scene   = run.scene;
+      const PeriodicChoice &choice  = run.choice;
+      const double          n_steps = run.steps.n_steps();
       const double vector = body.space.locally_owned_unknowns.n_elements();
       const double stress =
         n_stress_components<dim> * double(body.points.n_local_points);
@@ -55,7 +54,7 @@ namespace Crevasse
       // text.
       if (body.effects.field_output.on)
         values +=
-          n_instants_of_fields(setup) *
+          n_instants_of_fields(run) *
             (vector + stress + strain +
              2.4 * (stress + strain +
                     2. * body.space.finite_element.n_dofs_per_cell() *
@@ -69,10 +68,10 @@ namespace Crevasse
     /** Memory for all stored stiffnesses, on this rank: several if K varies. */
     template <int dim>
     double
-    bytes_of_solvers(const RunSetup<dim> &setup, const unsigned int n_ranks)
+    bytes_of_solvers(const Run<dim> &run, const unsigned int n_ranks)
     {
-      const Body<dim>       &body = setup.body;
-      const LinearSolverType type = setup.solvers.linear.type;
+      const Body<dim>       &body = run.body;
+      const LinearSolverType type = run.solvers.linear.type;
       double                 one  = bytes_of_solver<dim>(type,
                                         body.space.n_unknowns(),
                                         n_unknowns_of_first_mesh(body),
@@ -86,7 +85,7 @@ namespace Crevasse
         one += 0.75 * n * (n + 1) * sizeof(double) * body.points.n_local_points;
       // Condensed compliance Σ; with MUMPS its factor, with CHOLMOD temporarily
       // its data instead; and the factor of the open nodes.
-      if (setup.solvers.contact.type == ContactSolverType::condensed_active_set)
+      if (run.solvers.contact.type == ContactSolverType::condensed_active_set)
         {
           const double n_lip = Utilities::MPI::sum(body.lip.nodes.size(),
                                                    body.space.communicator());
@@ -96,8 +95,8 @@ namespace Crevasse
         return one;
       constexpr double mebibyte = 1024. * 1024.;
       return one +
-             std::min(2. * setup.steps.n_steps() * one,
-                      setup.scene.linear_solver.memory_for_instants * mebibyte);
+             std::min(2. * run.steps.n_steps() * one,
+                      run.scene.linear_solver.memory_for_instants * mebibyte);
     }
 
 
@@ -152,9 +151,9 @@ namespace Crevasse
      * need more than it has left. */
     template <int dim>
     void
-    report_memory(const RunSetup<dim> &setup, Log &log)
+    report_memory(const Run<dim> &run)
     {
-      const Space<dim>  &space        = setup.body.space;
+      const Space<dim>  &space        = run.body.space;
       const MPI_Comm     communicator = space.communicator();
       const unsigned int n_ranks =
         Utilities::MPI::n_mpi_processes(communicator);
@@ -166,12 +165,12 @@ namespace Crevasse
                 space.dof_handler.memory_consumption()),
          "make it coarser"},
         {"fields",
-         bytes_of_fields(setup),
+         bytes_of_fields(run),
          "make the mesh coarser, or lower [Time integration] Steps per period, "
          "[Periodic state] Anderson depth or the number of [Output] Field "
          "times"},
         {"solver",
-         bytes_of_solvers(setup, n_ranks),
+         bytes_of_solvers(run, n_ranks),
          "make the mesh coarser, lower [Linear solver] Memory for instants, or "
          "use Type = gmg or amg if they are allowed"}};
       const auto megabytes = [communicator](const double bytes) {
@@ -189,8 +188,8 @@ namespace Crevasse
             list += (list.empty() ? ": " : ", ") + std::string(part.name) +
                     ' ' + std::to_string(size);
         }
-      log.line("  memory: about " + std::to_string(megabytes(total)) + " MB" +
-               (n_ranks > 1 ? " on each process" : "") + list);
+      run.log.line("  memory: about " + std::to_string(megabytes(total)) +
+                   " MB" + (n_ranks > 1 ? " on each process" : "") + list);
       require_enough(
         total, parts[0].bytes, *largest, space.n_unknowns(), communicator);
     }
@@ -199,27 +198,27 @@ namespace Crevasse
 
     template <int dim>
     std::string
-    describe_time(const RunSetup<dim> &setup)
+    describe_time(const Run<dim> &run)
     {
-      const TimeIntegrationParameters &time = setup.scene.time_integration;
-      const double                     step = setup.steps.largest_step();
+      const TimeIntegrationParameters &time = run.scene.time_integration;
+      const double                     step = run.steps.largest_step();
       Text::Message                    text;
       if (time.step_control == StepControlType::adaptive)
         text << "  time: adaptive steps, relative tolerance "
              << time.relative_tolerance << ", initially at most " << step;
       else
-        text << "  time: " << setup.steps.n_steps()
+        text << "  time: " << run.steps.n_steps()
              << " steps a period, the largest " << step;
-      if (setup.integrator == nullptr)
+      if (run.integrator == nullptr)
         return text;
-      if (setup.periodic_choice.method == PeriodicMethodType::fourier)
+      if (run.choice.method == PeriodicMethodType::fourier)
         return text << "; trapezoid, all instants at once";
-      const IntegratorProperties &integrator = setup.integrator->properties;
+      const IntegratorProperties &integrator = run.integrator->properties;
       const double                limit =
-        integrator.stability_limit * setup.relaxation_times.smallest;
+        integrator.stability_limit * run.magnitudes.relaxation_times.smallest;
       text << "; " << integrator.name << ", stable ";
       if (std::isfinite(integrator.stability_limit) &&
-          setup.body.law.is_power_law())
+          run.body.law.is_power_law())
         return text << "with steps that depend on the stress";
       return std::isfinite(limit) ? text << "below " << limit
                                   : text << "with any step";
@@ -252,12 +251,13 @@ namespace Crevasse
 
   template <int dim>
   void
-  describe(const RunSetup<dim> &setup, Log &log)
+  describe(const Run<dim> &run)
   {
-    const Scene &scene = setup.scene;
+    const Scene &scene = run.scene;
+    Log         &log   = run.log;
     if (!scene.title.empty())
       log.line(scene.title);
-    const Summary sizes = sizes_of(setup.body);
+    const Summary sizes = sizes_of(run.body);
     log.line(Text::Message()
              << "  mesh: " << sizes["cells"] << " cells, " << sizes["unknowns"]
              << " unknowns, " << sizes["quadrature_points"]
@@ -270,46 +270,45 @@ namespace Crevasse
                      sizes["levels"].get<unsigned int>(),
                      sizes["smallest_cell"].get<double>(),
                      sizes["largest_cell"].get<double>()));
-    report_memory(setup, log);
+    report_memory(run);
     log.line("  boundaries: " + describe_boundaries<dim>(scene));
-    for (const RigidMotion &motion : setup.body.held_by_contact)
+    for (const RigidMotion &motion : run.body.held_by_contact)
       log.line("  held by contact alone: " + motion.name);
     if (scene.geometry.shape == Shape::mesh_file)
       log.line("  materials: " +
-               describe_materials(scene, setup.body.space.mesh()));
-    for (const Effects::Effect &effect :
-         setup.active_effects(setup.secular_split))
+               describe_materials(scene, run.body.space.mesh()));
+    for (const Effects::Effect &effect : run.active_effects())
       if (effect.on || log.is_verbose)
         log.line(Text::format("  %-19s%-4s(%s)",
                               effect.name.c_str(),
                               effect.on ? "on" : "off",
                               Text::shorten(effect.why).c_str()));
-    log.line(describe_time(setup));
-    if (setup.steps.jumps_at(scene.loads.period) && formulas_can_jump(scene))
+    log.line(describe_time(run));
+    if (run.steps.jumps_at(scene.loads.period) && formulas_can_jump(scene))
       log.line(
         Text::format("  end of the period: loads or material jump to their "
                      "values at t = 0, which the tables show at t = %g",
                      scene.loads.period));
-    log.line("  periodic state: " + setup.periodic_choice.describe());
-    if (!traits(setup.solvers.contact.type).relaxes)
-      log.line("  linear solver: " + setup.solvers.linear.describe());
-    if (setup.body.effects.contact.on)
-      log.line("  contact solver: " + setup.solvers.contact.describe());
-    if (setup.body.effects.stress_intensity.on && !setup.stress_intensity.on)
-      log.line("  crack tip: no K_I (" + setup.stress_intensity.why + ")");
-    for (const auto &tip : setup.crack_tips)
+    log.line("  periodic state: " + run.choice.describe());
+    if (!traits(run.solvers.contact.type).relaxes)
+      log.line("  linear solver: " + run.solvers.linear.describe());
+    if (run.body.effects.contact.on)
+      log.line("  contact solver: " + run.solvers.contact.describe());
+    if (run.body.effects.stress_intensity.on && !run.stress_intensity.on)
+      log.line("  crack tip: no K_I (" + run.stress_intensity.why + ")");
+    for (const auto &tip : run.crack_tips)
       log.line(tip->describe());
-    for (const Summary &tip : setup.tips_without_intensity)
+    for (const Summary &tip : run.tips_without_intensity)
       log.line("  crack tip without K: " + tip["no_K"].get<std::string>());
-    for (const auto &integral : setup.creep_integrals)
+    for (const auto &integral : run.creep_integrals)
       log.line(
         "  crack tip: " + Text::from_point(integral->region.tip.position) +
         Text::format(", C(t) over squares with half sides of %g and %g",
                      integral->radius(),
                      0.5 * integral->radius()));
-    if (setup.crack_front != nullptr)
-      log.line(setup.crack_front->describe());
-    for (const auto &probe : setup.probes)
+    if (run.crack_front != nullptr)
+      log.line(run.crack_front->describe());
+    for (const auto &probe : run.probes)
       {
         if (const auto &side = probe.side_of_interface)
           log.line(
@@ -322,19 +321,16 @@ namespace Crevasse
                    "of the lip on the side of " +
                    Text::from_point(dealii::Point<dim>(*side)));
       }
-    for (const std::string &warning :
-         warnings(setup, setup.periodic_choice, setup.secular_split))
+    for (const std::string &warning : warnings(run))
       log.line("  warning: " + warning);
   }
 
 
 
-#define INSTANTIATE(dim)                          \
-  template decltype(sizes_of<dim>) sizes_of<dim>; \
-  template void                    describe<dim>(const RunSetup<dim> &, Log &)
-
-  INSTANTIATE(2);
-  INSTANTIATE(3);
-
-#undef INSTANTIATE
+  template decltype(sizes_of<2>) sizes_of<2>;
+  template decltype(sizes_of<3>) sizes_of<3>;
+  template void
+  describe<2>(const Run<2> &);
+  template void
+  describe<3>(const Run<3> &);
 } // namespace Crevasse

@@ -18,26 +18,36 @@ namespace Crevasse
     class AdaptiveSteps : public StepControl
     {
     public:
-      /** @param fixed_instants at which steps always end.
-       * @param nodes at which the method evaluates f. */
-      AdaptiveSteps(const TimeIntegrationParameters &parameters,
+      AdaptiveSteps(std::unique_ptr<Integrator>    &&method,
+                    const IntegratorProperties      &properties,
+                    const TimeIntegrationParameters &parameters,
                     const double                     largest_step,
-                    const std::vector<double>       &fixed_instants,
-                    const std::vector<double>       &nodes,
+                    StepList                        &steps,
                     const double                     stability_limit)
-        : StepControl(stability_limit)
+        : StepControl(std::move(method), properties, steps, stability_limit)
         , parameters(parameters)
         , largest_step(largest_step)
-        , fixed_instants(fixed_instants)
-        , looks_at_end(std::find(nodes.begin(), nodes.end(), 1.) != nodes.end())
+        , fixed_instants(steps.fixed_instants())
+        , looks_at_end(std::count(properties.quadrature.nodes.begin(),
+                                  properties.quadrature.nodes.end(),
+                                  1.) > 0)
         // Not a simple fraction of the period, where a load may have its zeros.
         , proposed(0.381966 * largest_step)
       {
       }
 
       void
-      begin_period(StepList &steps) override
+      restart() override
       {
+        StepControl::restart();
+        known_end   = -1.;
+        begins_anew = true;
+      }
+
+      void
+      begin_period() override
+      {
+        restart();
         constexpr unsigned int most_searches = 3;
         // Steps are searched anew if this fraction of them would suffice.
         constexpr double too_many = 0.5;
@@ -54,30 +64,30 @@ namespace Crevasse
 
       /** Reuses the rate at the end of the last step if it is known. */
       void
-      start(const PeriodStep &step) override
+      start(RateEquation &f,
+            const double  t,
+            const Vector &r,
+            Vector       &rate) override
       {
-        const double t = step.steps.instant(step.k);
-        if (step.k > 0 &&
-            std::abs(known_end - t) <= 1e-12 * step.steps.period() &&
-            !step.steps.jumps_at(t))
-          step.rate = end_rate;
+        if (std::abs(known_end - t) <= 1e-12 * steps.period())
+          rate = end_rate;
         else
-          StepControl::start(step);
+          method->start(f, t, r, rate);
         known_end = -1.;
       }
 
       /** Takes a step. @throw NumericalError if the tolerance is too small. */
       void
-      advance(const PeriodStep &period_step) override
+      advance(const TimeStep &step) override
       {
-        auto &[integrator, f, steps, k, r, rate] = period_step;
+        RateEquation &f = step.f;
+        const double  t = step.t, left = step.length;
+        Vector       &r = step.r;
         // Steps of a list are halved, so that few lengths occur.
-        const bool   has_matrix = integrator.properties.has_matrix_of_step;
-        const bool   halves     = !is_free || has_matrix;
-        const double t = steps.instant(k), left = steps.step(k);
+        const bool halves = !is_free || properties.has_matrix_of_step;
         // If the stress grows within the step, the limit falls.
-        const double longest = 0.9 * longest_stable(period_step);
-        double       length  = first_trial(period_step);
+        const double longest = 0.9 * longest_stable(step);
+        double       length  = first_trial(step);
         while (length > longest)
           length = halves ? 0.5 * length : longest;
         bool   was_rejected = false;
@@ -89,8 +99,7 @@ namespace Crevasse
             error = 0.;
             try
               {
-                step_error =
-                  try_step(integrator, {f, t, length, rate, r, &error});
+                step_error = try_step({f, t, length, step.rate, r, &error});
               }
             catch (const NumericalError &)
               {
@@ -116,8 +125,8 @@ namespace Crevasse
             if (known_end >= 0.)
               {
                 // The method has already started at the end.
-                integrator.restart();
-                integrator.start(f, t, r, end_rate);
+                method->restart();
+                method->start(f, t, r, end_rate);
                 known_end = -1.;
               }
             const double factor =
@@ -131,22 +140,19 @@ namespace Crevasse
         ++accepted;
         ++taken;
         if (left - length > 1e-12 * steps.period())
-          steps.divide(k, t + length);
-      }
-
-      bool
-      repeats_steps() const override
-      {
-        return false;
+          steps.divide_at(t + length);
+        begins_anew = false;
       }
 
       IntegratorStatistics
       statistics() const override
       {
-        return {{"accepted_steps", accepted},
-                {"rejected_steps", rejected},
-                {"steps_of_last_period", taken},
-                {"searches_for_steps", n_found}};
+        IntegratorStatistics all = method->statistics();
+        all.emplace_back("accepted_steps", accepted);
+        all.emplace_back("rejected_steps", rejected);
+        all.emplace_back("steps_of_last_period", taken);
+        all.emplace_back("searches_for_steps", n_found);
+        return all;
       }
 
       void
@@ -163,19 +169,13 @@ namespace Crevasse
         archive.common(rejected);
         archive.common(known_end);
         archive.at_points(end_rate);
+        method->serialize(archive);
       }
 
     private:
       static constexpr double       safety = 0.9;
       static constexpr unsigned int most_steps =
         TimeIntegrationParameters::most_steps;
-
-      /** Whether a step begins with a jump of the stress. */
-      static bool
-      begins_anew(const PeriodStep &step)
-      {
-        return step.k == 0 || step.steps.jumps_at(step.steps.instant(step.k));
-      }
 
       /** Shortest trial step, as a fraction of the period. Power-law creep
        * takes many steps for each power of ten of the time since loading;
@@ -191,23 +191,21 @@ namespace Crevasse
 
       /** Length of the first trial step, at most the rest of the step. */
       double
-      first_trial(const PeriodStep &step) const
+      first_trial(const TimeStep &step) const
       {
-        const double t    = step.steps.instant(step.k),
-                     left = step.steps.step(step.k);
+        const double left = step.length;
         if (!is_free)
           return left;
         double longest = std::min(proposed, largest_step);
         // Limit by the initial slope: later the stress relaxes more slowly.
         constexpr double part_of_relaxation = 0.1;
         if (const double rate = step.f.relaxation_rate();
-            begins_anew(step) && rate > 0.)
-          longest =
-            std::min(longest,
-                     std::max(part_of_relaxation / rate,
-                              shortest_step(step.f) * step.steps.period()));
-        if (step.integrator.properties.has_matrix_of_step)
-          return std::min(left, dyadic_step(t, longest));
+            begins_anew && rate > 0.)
+          longest = std::min(longest,
+                             std::max(part_of_relaxation / rate,
+                                      shortest_step(step.f) * steps.period()));
+        if (properties.has_matrix_of_step)
+          return std::min(left, dyadic_step(step.t, longest));
         // Takes two equal steps instead of one and a short rest.
         return left <= longest ? left : std::min(longest, 0.5 * left);
       }
@@ -258,12 +256,12 @@ namespace Crevasse
 
       /** Takes a trial step. @return its error relative to the tolerance. */
       double
-      try_step(Integrator &integrator, const TimeStep &step)
+      try_step(const TimeStep &step)
       {
-        integrator.advance(step);
+        method->advance(step);
         const double step_error = relative_error(step.f, step.r);
         return step_error <= 1. && !looks_at_end
-                 ? std::max(step_error, relative_error_of_end(integrator, step))
+                 ? std::max(step_error, relative_error_of_end(step))
                  : step_error;
       }
 
@@ -271,11 +269,11 @@ namespace Crevasse
        * the method has no stage at the end of the step, and so misses a jump
        * there. */
       double
-      relative_error_of_end(Integrator &integrator, const TimeStep &step)
+      relative_error_of_end(const TimeStep &step)
       {
         end_rate.reinit(step.r, true);
         known_end = step.t + step.length;
-        integrator.start(step.f, known_end, step.r, end_rate);
+        method->start(step.f, known_end, step.r, end_rate);
         error = step.r;
         error -= saved;
         error.add(-0.5 * step.length, step.rate, -0.5 * step.length, end_rate);
@@ -317,24 +315,27 @@ namespace Crevasse
       Vector error, saved;
 
       // Instant and rate at the end of the last step, if computed.
-      double known_end = -1.; ///< negative: none
+      double known_end   = -1.;   ///< negative: none
+      bool   begins_anew = false; ///< the step begins with a jump of the stress
       Vector end_rate;
     };
   } // namespace
 
 
 
-  std::unique_ptr<StepControl>
-  make_adaptive_steps(const TimeIntegrationParameters &parameters,
+  std::unique_ptr<Integrator>
+  make_adaptive_steps(std::unique_ptr<Integrator>    &&method,
+                      const IntegratorProperties      &properties,
+                      const TimeIntegrationParameters &parameters,
                       const double                     largest_step,
-                      const StepList                  &steps,
-                      const IntegratorProperties      &integrator,
+                      StepList                        &steps,
                       const double                     stability_limit)
   {
-    return std::make_unique<AdaptiveSteps>(parameters,
+    return std::make_unique<AdaptiveSteps>(std::move(method),
+                                           properties,
+                                           parameters,
                                            largest_step,
-                                           steps.fixed_instants(),
-                                           integrator.quadrature.nodes,
+                                           steps,
                                            stability_limit);
   }
 } // namespace Crevasse

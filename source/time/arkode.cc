@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Crevasse authors
 
-#include <crevasse/base/meters.h>
 #include <crevasse/base/problems.h>
 #include <crevasse/base/state_archive.h>
 #include <crevasse/base/text.h>
@@ -99,24 +98,24 @@ namespace Crevasse
     IntegratorProperties
     properties_of(const TimeIntegrationParameters &parameters)
     {
-      const Choice     &choice = choice_of(parameters);
-      const Table       table  = make_table(parameters);
-      const int         n      = table->stages;
-      const std::string name =
-        name_of(parameters.scheme) + " with " + choice.name;
+      const Choice        &choice = choice_of(parameters);
+      const Table          table  = make_table(parameters);
+      const int            n      = table->stages;
+      IntegratorProperties all;
+      all.name            = name_of(parameters.scheme) + " with " + choice.name;
+      all.stability_limit = choice.limit;
       if (parameters.step_control == StepControlType::adaptive)
-        return {name + ", adaptive steps",
-                choice.limit,
-                {{0., 0.5, 1.}, {}},
-                false,
-                false,
-                true};
-      return {name,
-              choice.limit,
-              {{table->c, table->c + n}, {table->b, table->b + n}},
-              false,
-              parameters.scheme == Scheme::arkode_implicit &&
-                table->A[0][0] == 0.};
+        {
+          all.name += ", adaptive steps";
+          all.quadrature.nodes = {0., 0.5, 1.};
+          all.controls_steps   = true;
+          all.repeats_steps    = false;
+          return all;
+        }
+      all.quadrature = {{table->c, table->c + n}, {table->b, table->b + n}};
+      all.begins_explicitly =
+        parameters.scheme == Scheme::arkode_implicit && table->A[0][0] == 0.;
+      return all;
     }
 
 
@@ -175,7 +174,7 @@ namespace Crevasse
         if (driver == nullptr)
           return {};
         IntegratorStatistics all = driver->statistics();
-        all.emplace_back("evaluations", meters["rate evaluations"].calls);
+        all.emplace_back("evaluations", equation.last().n_evaluations());
         if (properties.controls_steps && parameters.locate_contact_events)
           all.emplace_back("contact_events", n_events);
         return all;

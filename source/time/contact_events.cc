@@ -27,11 +27,7 @@ namespace Crevasse
     {
     public:
       explicit ContactEvents(std::unique_ptr<Integrator> &&method)
-        : Integrator({method->properties.name + " with contact events",
-                      method->properties.stability_limit,
-                      method->properties.quadrature,
-                      method->properties.has_matrix_of_step,
-                      method->properties.begins_explicitly})
+        : Integrator(with_events(method->properties))
         , method(std::move(method))
       {
       }
@@ -127,6 +123,13 @@ namespace Crevasse
       }
 
     private:
+      static IntegratorProperties
+      with_events(IntegratorProperties properties)
+      {
+        properties.name += " with contact events";
+        return properties;
+      }
+
       /** State at the beginning or the end of a trial step. */
       struct Place
       {

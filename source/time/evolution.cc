@@ -93,6 +93,7 @@ namespace Crevasse
                   (mechanical - QuadratureField<dim>::get(r, place)));
         },
         rate);
+    ++evaluations;
   }
 
 
@@ -191,7 +192,10 @@ namespace Crevasse
     const Stopwatch evaluation("rate evaluations");
     const double    t = instant_of(time);
     if (instants.material_at(t).creep_power != nullptr)
-      return implicit_power_law(t, known, c, rate);
+      {
+        last_solver = &creep_stage.solve(t, known, c, last, loading);
+        return power_law_rates(t, rate);
+      }
     const ImplicitInstant<dim>    instant = instants.implicit_at(t, c);
     const AlgorithmicModuli<dim> &moduli  = instant.moduli;
     const double                  k       = instant.material.stiffness_factor;
@@ -210,19 +214,16 @@ namespace Crevasse
     watch.reset();
     solve(*instant.contact_solver, k);
     implicit_rates(instant, known, c, rate);
+    ++evaluations;
   }
 
 
 
   template <int dim>
   void
-  Evolution<dim>::implicit_power_law(const double  t,
-                                     const Vector &known,
-                                     const double  c,
-                                     Vector       &rate)
+  Evolution<dim>::power_law_rates(const double t, Vector &rate)
   {
-    using Field = QuadratureField<dim>;
-    last_solver = &creep_stage.solve(t, known, c, last, loading);
+    using Field                        = QuadratureField<dim>;
     const MaterialState<dim> &material = instants.material_at(t);
     constexpr unsigned int    n        = Field::n_components;
     for (std::size_t point = 0; point * n < rate.locally_owned_size(); ++point)
@@ -230,6 +231,7 @@ namespace Crevasse
                  point * n,
                  material.creep_rate(point,
                                      Field::get(last.stress, point * n)));
+    ++evaluations;
   }
 
 
@@ -246,6 +248,7 @@ namespace Crevasse
     const double    t = instant_of(time);
     solve_explicitly(t, instants.at(t), predicted);
     implicit_rates(instants.implicit_material_at(t, c), known, c, rate);
+    ++evaluations;
   }
 
 

@@ -57,14 +57,14 @@ namespace Crevasse
 
     /** Largest relaxation rate of the stress in the elastic body. */
     double
-    elastic_relaxation_rate(const PeriodStep &step)
+    elastic_relaxation_rate(const TimeStep &step, const StepList &steps)
     {
       Vector none(step.r), rate(step.r);
       none           = 0.;
       double largest = 0.;
-      for (unsigned int k = 0; k < step.steps.n_steps(); ++k)
+      for (unsigned int k = 0; k < steps.n_steps(); ++k)
         {
-          step.f.rate(step.steps.instant(k), none, rate);
+          step.f.rate(steps.instant(k), none, rate);
           largest = std::max(largest, step.f.relaxation_rate());
         }
       return largest;
@@ -74,18 +74,17 @@ namespace Crevasse
 
 
   double
-  StepControl::longest_stable(const PeriodStep &step) const
+  StepControl::longest_stable(const TimeStep &step) const
   {
     if (stability_limit == no_stability_limit)
       return no_stability_limit;
     const double rate = step.f.relaxation_rate();
-    if (!(stability_limit * most_steps < rate * step.steps.period()))
+    if (!(stability_limit * most_steps < rate * steps.period()))
       return rate > 0. ? stability_limit / rate : no_stability_limit;
     throw NumericalError(Text::Message()
                          << "The stress relaxes at the rate " << rate
-                         << " at t = " << step.steps.instant(step.k)
-                         << ": that takes more than " << most_steps
-                         << " steps of " << step.integrator.properties.name
+                         << " at t = " << step.t << ": that takes more than "
+                         << most_steps << " steps of " << properties.name
                          << " in a period. Check [Material] Creep coefficient, "
                             "[Loads] and their units.");
   }
@@ -93,20 +92,19 @@ namespace Crevasse
 
 
   void
-  StepControl::require_stability(const PeriodStep &step) const
+  StepControl::require_stability(const TimeStep &step) const
   {
     if (stability_limit == no_stability_limit)
       return;
-    const double length  = step.steps.step(step.k),
+    const double length  = step.length,
                  longest = stability_limit / step.f.relaxation_rate();
     if (length <= longest)
       return;
     const double n_needed = std::ceil(
-      step.steps.period() * elastic_relaxation_rate(step) / stability_limit);
+      steps.period() * elastic_relaxation_rate(step, steps) / stability_limit);
     Text::Message message;
-    message << "The time step " << length
-            << " from t = " << step.steps.instant(step.k)
-            << " on is too large: " << step.integrator.properties.name
+    message << "The time step " << length << " from t = " << step.t
+            << " on is too large: " << properties.name
             << " is stable with steps of at most " << longest
             << " where the stress relaxes as fast as here. ";
     // Earlier steps that were too long may have caused this stress.
@@ -114,7 +112,7 @@ namespace Crevasse
       message << "The elastic stress needs more than " << most_steps
               << " steps a period. Check the units of [Material] Creep "
                  "coefficient and of [Loads], or choose ";
-    else if (n_needed > step.steps.n_steps())
+    else if (n_needed > steps.n_steps())
       message << "The elastic stress needs at least " << n_needed
               << " [Time integration] Steps per period. Take so many, or "
                  "choose Step control = adaptive or ";
@@ -128,14 +126,15 @@ namespace Crevasse
 
 
 
-  std::unique_ptr<StepControl>
-  make_step_control(const TimeIntegrationParameters &parameters,
-                    const StepList                  &steps,
-                    const IntegratorProperties      &integrator,
-                    const double                     smallest_relaxation_time)
+  std::unique_ptr<Integrator>
+  control_steps(std::unique_ptr<Integrator>    &&method,
+                const TimeIntegrationParameters &parameters,
+                StepList                        &steps,
+                const double                     smallest_relaxation_time)
   {
-    const double limit = integrator.stability_limit;
-    const double if_checked =
+    IntegratorProperties properties = method->properties;
+    const double         limit      = properties.stability_limit;
+    const double         if_checked =
       parameters.check_stability ? limit : no_stability_limit;
     if (parameters.step_control != StepControlType::adaptive)
       {
@@ -144,17 +143,20 @@ namespace Crevasse
                             parameters.step_control == StepControlType::uniform,
                             limit,
                             smallest_relaxation_time);
-        return std::make_unique<StepControl>(if_checked);
+        // If the material gives no bound, the stress may.
+        if (if_checked == no_stability_limit ||
+            std::isfinite(smallest_relaxation_time))
+          return std::move(method);
+        return std::make_unique<StepControl>(std::move(method),
+                                             properties,
+                                             steps,
+                                             if_checked);
       }
-    double longest = integrator.controls_steps
-                       ? no_stability_limit
-                       : steps.period() / parameters.steps_per_period;
-    if (parameters.check_stability)
-      {
-        // Close to the stability limit errors hardly decay.
-        const double part = integrator.controls_steps ? 1. : 0.9;
-        longest = std::min(longest, part * limit * smallest_relaxation_time);
-      }
+    // Close to the stability limit errors hardly decay.
+    const double part    = properties.controls_steps ? 1. : 0.9;
+    double       longest = part * if_checked * smallest_relaxation_time;
+    if (!properties.controls_steps)
+      longest = std::min(longest, steps.period() / parameters.steps_per_period);
     if (steps.period() > most_steps * longest)
       throw NumericalError(
         Text::Message()
@@ -163,9 +165,10 @@ namespace Crevasse
         << " in a period. Choose Scheme = sdirk2, which is stable with any "
            "step, or check the viscosity in [Material], [Loads] Period and "
            "their units.");
-    if (integrator.controls_steps)
-      return std::make_unique<StepControl>(); // steps between samples
+    if (properties.controls_steps)
+      return std::move(method); // steps between samples
+    properties.repeats_steps = false;
     return make_adaptive_steps(
-      parameters, longest, steps, integrator, if_checked);
+      std::move(method), properties, parameters, longest, steps, if_checked);
   }
 } // namespace Crevasse

@@ -39,8 +39,9 @@ namespace Crevasse
     ExitStatus status = done;
   };
 
+  /** @param words the name of the program and its arguments. */
   Command
-  parse_command_line(const int argc, const char *const *argv);
+  parse_command_line(const std::vector<std::string> &words);
 
   /** Suggestion "; did you mean ...?" for a missing scene file: a command, or a
    * scene of its folder or of prm; empty if nothing is similar. */

@@ -20,9 +20,10 @@ namespace Crevasse
   const std::vector<ScriptCommand> &
   script_commands();
 
-  /** Whether the first word of the command line is a script command. */
+  /** Whether the first argument of the program is a script command.
+   * @param words the name of the program and its arguments. */
   bool
-  is_script_command(const int argc, const char *const *argv);
+  is_script_command(const std::vector<std::string> &words);
 
   /**
    * Replaces this process, before MPI starts, by `CREVASSE_PYTHON -m crevasse
@@ -34,7 +35,7 @@ namespace Crevasse
    * @return the exit status if that is impossible, after a message.
    */
   int
-  run_script_command(const int argc, char **argv, const Program program_main);
+  run_script_command(const std::vector<std::string> &words);
 } // namespace Crevasse
 
 #endif

@@ -4,11 +4,12 @@
 #ifndef crevasse_app_server_h
 #define crevasse_app_server_h
 
+#include <optional>
+#include <string>
+#include <vector>
+
 namespace Crevasse
 {
-  /** Function that executes a command line, as main() does. */
-  using Program = int (*)(int argc, char **argv);
-
   /**
    * `crevasse serve`: runs the program many times without starting it. Loading
    * 200 shared libraries takes 0.4 s, most of the time of a small scene. The
@@ -28,16 +29,21 @@ namespace Crevasse
    * number of the signal that ended the run. A request that cannot be read is
    * answered with the id null and the status 2. The end of the input ends all
    * runs. Called before MPI starts.
+   *
+   * @return in the process of a run, the name of the program and its arguments;
+   * the server itself does not return.
    */
-  int
-  serve(const Program program);
+  std::vector<std::string>
+  serve();
 
   /** Starts a server in a copy of this process, before another program replaces
    * the process. The environment variable `CREVASSE_SERVER` gives that program
    * the descriptors to write requests and read answers: "FILE DESCRIPTOR, FILE
-   * DESCRIPTOR". */
-  void
-  leave_server(const Program program);
+   * DESCRIPTOR".
+   *
+   * @return in the process of a run, as serve(); nothing in this process. */
+  std::optional<std::vector<std::string>>
+  leave_server();
 } // namespace Crevasse
 
 #endif

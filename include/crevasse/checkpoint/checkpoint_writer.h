@@ -27,16 +27,19 @@ namespace Crevasse
   public:
     /** The arguments must outlive the CheckpointWriter.
      *
+     * @param mesh the body's, which writes the fields.
      * @param n_stresses largest number of stress fields in a checkpoint.
      * @param search parameters of the search; see at_end_of_search().
      * @param header serialises the header, which a resumed run has read. */
     CheckpointWriter(Checkpoints                   &checkpoints,
                      const Body<dim>               &body,
+                     Mesh<dim>                     &mesh,
                      const unsigned int             n_stresses,
                      const PeriodicStateParameters &search,
                      const Checkpoints::Serialize  &header)
       : checkpoints(checkpoints)
       , body(body)
+      , mesh(mesh)
       , search(search)
       , header(header)
     {
@@ -83,7 +86,7 @@ namespace Crevasse
     void
     resume()
     {
-      FieldArchive<dim> archive(std::move(checkpoints.resumed()), body);
+      FieldArchive<dim> archive(std::move(checkpoints.resumed()), body, mesh);
       serialize_parts(archive);
       archive.section("end");
       checkpoints.has_resumed();
@@ -105,7 +108,7 @@ namespace Crevasse
       CommonArchive common(communicator);
       checkpoints.first_part(common);
       header(common);
-      FieldArchive<dim> archive(std::move(common), body, bytes_of_cells);
+      FieldArchive<dim> archive(std::move(common), body, mesh, bytes_of_cells);
       serialize_parts(archive);
       archive.section("end");
       bytes_of_cells = archive.bytes_of_cells();
@@ -143,6 +146,7 @@ namespace Crevasse
 
     Checkpoints                   &checkpoints;
     const Body<dim>               &body;
+    Mesh<dim>                     &mesh;
     const PeriodicStateParameters &search;
     const Checkpoints::Serialize   header;
     std::vector<std::size_t>       bytes_of_cells; ///< sizes in last checkpoint

@@ -78,6 +78,7 @@ namespace Crevasse
     }
 
     StopRequests          &requests;
+    const std::string      directory; ///< output directory of the run
     const CheckpointFolder folder;
     const Summary          scene;
 
@@ -107,7 +108,6 @@ namespace Crevasse
     stop() const;
 
     Log               &log;
-    const std::string  directory;
     const unsigned int every;
 
     Serialize                      first_part;

@@ -29,13 +29,16 @@ namespace Crevasse
      * @param common archive so far; when reading, the mesh of @p body has been
      * loaded from the file of save_fields().
      * @param body must outlive the FieldArchive.
+     * @param mesh the body's, to which data is attached; its cells stay.
      * @param expected bytes_of_cells() of an earlier archive, if any: reserved,
      * because growing vectors need up to twice the memory. */
     FieldArchive(CommonArchive                 &&common,
                  const Body<dim>                &body,
+                 Mesh<dim>                      &mesh,
                  const std::vector<std::size_t> &expected = {})
       : CommonArchive(std::move(common))
       , body(body)
+      , mesh(mesh)
       , of_cells(body.space.mesh().n_active_cells())
       , bounds(unilateral_bounds(body.lip, body.space))
     {
@@ -46,9 +49,9 @@ namespace Crevasse
               of_cells[i].bytes.reserve(expected[i]);
           return;
         }
-      const unsigned int handle = mesh_of(body).register_data_attach(
+      const unsigned int handle = mesh.register_data_attach(
         [](const auto &, const auto) { return std::vector<char>(); }, true);
-      mesh_of(body).notify_ready_to_unpack(
+      mesh.notify_ready_to_unpack(
         handle, [this](const auto &cell, const auto, const auto &bytes) {
           of_cells[cell->active_cell_index()].bytes.assign(bytes.begin(),
                                                            bytes.end());
@@ -63,12 +66,12 @@ namespace Crevasse
     save_fields(const std::string &file_name)
     {
       const std::size_t bytes = bytes_of_fields();
-      mesh_of(body).register_data_attach(
+      mesh.register_data_attach(
         [this](const auto &cell, const auto) {
           return std::move(of_cells[cell->active_cell_index()].bytes);
         },
         true);
-      mesh_of(body).save(file_name);
+      mesh.save(file_name);
       // p4est's ranks write in turn: the file is complete after the barrier.
       const int error = MPI_Barrier(communicator());
       AssertThrowMPI(error);
@@ -174,13 +177,6 @@ namespace Crevasse
     }
 
   private:
-    /** The body's mesh, to attach data to; its cells do not change. */
-    static Mesh<dim> &
-    mesh_of(const Body<dim> &body)
-    {
-      return const_cast<Mesh<dim> &>(body.space.mesh());
-    }
-
     /** Checks the mesh files on rank 0. @throw FileError if incomplete. */
     static void
     require_files(const std::string &file_name, const std::size_t bytes)
@@ -266,6 +262,7 @@ namespace Crevasse
     }
 
     const Body<dim>       &body;
+    Mesh<dim>             &mesh;
     std::vector<CellData>  of_cells; ///< data of fields, by active cell index
     const UnilateralBounds bounds;
   };

@@ -70,11 +70,13 @@ namespace Crevasse
 
     const UnilateralBounds &bounds;
 
-    /** A as a matrix, for methods that need its entries: scenes with these
-     * methods have no matrix-free operator. */
+    /** A as a matrix, for methods that need its entries. A matrix-free operator
+     * has none. */
     const SparseMatrix &
     matrix() const
     {
+      AssertThrow(stiffness.matrix() != nullptr,
+                  dealii::ExcMessage("The stiffness has no matrix."));
       return *stiffness.matrix();
     }
 

@@ -20,6 +20,7 @@ namespace Crevasse
     std::size_t vi_solves         = 0; ///< problems with bounds
     std::size_t vi_iterations     = 0;
     std::size_t implicit_stages   = 0; ///< stages for a power law
+    std::size_t rate_evaluations  = 0;
 
     std::size_t certified = 0; ///< certified solves
 
@@ -36,9 +37,13 @@ namespace Crevasse
     void
     add(const SolverStatistics &other);
 
-    /** Adds counters and certificate to summary.json. */
+    /** Adds "counters" to summary.json. */
     void
-    add_to(Summary &summary) const;
+    add_counters(Summary &summary) const;
+
+    /** Adds "certificate" to summary.json. */
+    void
+    add_certificate(Summary &summary) const;
   };
 } // namespace Crevasse
 

@@ -74,8 +74,8 @@ namespace Crevasse
     ContactSystem<dim> &
     system_at(const double t);
 
-    /** Settings of all systems; see SolverSettings. */
-    SolverSettings settings;
+    /** Settings of all systems. */
+    const SolverSettings settings;
 
     /** Relaxation factor of projected SOR for a matrix: the scene's, or the
      * best one for the given loads. */
@@ -84,7 +84,7 @@ namespace Crevasse
 
     /** Statistics of all systems, past ones included. */
     SolverStatistics
-    statistics() const;
+    statistics() const override;
 
     /** Serialises the state of the contact solvers of all instants; a resumed
      * run first creates them. */
@@ -98,12 +98,11 @@ namespace Crevasse
       of_the_past.add(other);
     }
 
-    /** Adds the solvers, reasons for them, their numbers of calls and cost. */
+    /** Adds names of the solvers and reasons for them to summary.json. */
     void
-    summarise(Summary &summary) const
+    describe(Summary &summary) const
     {
-      last_system->describe(summary);
-      statistics().add_to(summary);
+      last.system->describe(summary);
     }
 
   private:
@@ -114,23 +113,21 @@ namespace Crevasse
     Tangent<dim>
     use(const double t, const typename KeptTangents<dim>::Kept &kept);
 
-    /** Request for a system: its purpose and its arguments. */
-    struct Request
-    {
-      enum Kind
-      {
-        of_stiffness,
-        of_implicit_stage,
-        of_tangent
-      } kind;
-      double t, c;
-    };
+    /** Instant and κ of an implicit stage: κ = 0 is the stiffness itself, and κ
+     * < 0 the tangent nearest to the instant. */
+    using Key = typename InstantCache<ContactSystem<dim>>::Key;
+
+    static constexpr double tangent = -1.; ///< κ of all tangents
 
     ContactSystem<dim> &
-    system_of(const Request &request);
+    system_of(const Key &key);
+
+    /** Moduli of implicit stages with this key. */
+    const AlgorithmicModuli<dim> &
+    moduli_of(const Key &key);
 
     /** Cache key of values that depend on a time c. */
-    std::pair<double, double>
+    Key
     step_key(const double              t,
              const double              c,
              const MaterialState<dim> &material) const
@@ -147,10 +144,14 @@ namespace Crevasse
     const UnilateralBounds              bounds;
     std::optional<double>               sor_factor;  ///< factor, once found
     std::shared_ptr<ContactSystem<dim>> only_system; ///< system of a constant K
-    std::shared_ptr<ContactSystem<dim>> last_system;
     SolverStatistics                    of_the_past;
-    std::vector<Request> requests; ///< requests of cached systems, in order
-    Request              last_request{Request::of_stiffness, 0., 0.};
+
+    /** The system that was asked for last: the next one starts from it. */
+    struct
+    {
+      Key                                 key{0., 0.};
+      std::shared_ptr<ContactSystem<dim>> system;
+    } last;
 
     // Caches for instants. A system is not dropped to keep a material.
     InstantMemory                          memory;
@@ -159,8 +160,6 @@ namespace Crevasse
     InstantCache<RelaxationFunctions<dim>> relaxation;
     InstantCache<ContactSystem<dim>>       systems; ///< systems by instant
     KeptTangents<dim>                      tangents;
-
-    std::shared_ptr<const RelaxationFunctions<dim>> last_relaxation;
   };
 } // namespace Crevasse
 

@@ -118,6 +118,18 @@ namespace Crevasse
       return scratch;
     }
 
+    /** Keys of all present values. */
+    std::vector<Key>
+    keys() const
+    {
+      std::vector<Key> all;
+      for (const auto &entry : kept)
+        all.push_back(entry.first);
+      if (scratch != nullptr)
+        all.push_back(scratch_key);
+      return all;
+    }
+
     /** Calls @p show for all present values. */
     template <typename Function>
     void

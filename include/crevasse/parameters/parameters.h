@@ -370,6 +370,8 @@ namespace Crevasse
     bool        load_work          = false;
     /** Number of periods between checkpoints; 0: only on request. */
     unsigned int checkpoint_every = 0;
+    /** Whether StressWriter runs: sweeps set it, and no scene. */
+    bool stress_record = false;
 
     void
     add_parameters(dealii::ParameterHandler &prm);

@@ -8,8 +8,9 @@
 #include <crevasse/base/meters.h>
 #include <crevasse/periodic/return_defect.h>
 #include <crevasse/periodic/stress_history.h>
+#include <crevasse/time/integrator.h>
 #include <crevasse/time/observer.h>
-#include <crevasse/time/step_control.h>
+#include <crevasse/time/step_list.h>
 
 #include <deal.II/base/timer.h>
 
@@ -41,19 +42,6 @@ namespace Crevasse
     double       tolerance; ///< limit of the stress' error estimate; 0: none
   };
 
-  /** The objects that integrate a body over the steps of a period. */
-  template <int dim>
-  struct PeriodIntegration
-  {
-    Evolution<dim> &evolution;
-    /** Time integrator; null for a body without viscosity, whose periods are
-     * sequences of elastic states. */
-    Integrator   *integrator;
-    StepControl  &step_control;
-    StepList     &steps;
-    Checkpointer *checkpointer; ///< writes checkpoints between steps
-  };
-
   /**
    * Computes the periods of a search, one after the other. Each maps r(0) to
    * r(T) (the paper's Remark 2), is shown to the observers at the beginning of
@@ -64,19 +52,37 @@ namespace Crevasse
   class ObservedPeriods
   {
   public:
-    /** References and pointers must outlive the ObservedPeriods, including
-     * those in @p integration.
+    /** The arguments must outlive the ObservedPeriods.
      *
-     * @param before results of the periods that were computed and shown before.
-     * @param is_comparable whether the first period is compared with an
-     * unstressed state; false on a new mesh.
-     * @param defect null: the strain is not known to return. */
-    ObservedPeriods(const PeriodIntegration<dim>  &integration,
+     * @param integrator null for a body without viscosity, whose periods are
+     * sequences of elastic states.
+     * @param checkpointer writes checkpoints between steps. */
+    ObservedPeriods(Evolution<dim>                &evolution,
+                    Integrator                    *integrator,
+                    StepList                      &steps,
                     const std::vector<Observer *> &observers,
-                    const SearchLimits            &limits,
-                    const PeriodicResult          &before = PeriodicResult(),
-                    const bool                     is_comparable = true,
-                    const ReturnDefect<dim>       *defect        = nullptr);
+                    Checkpointer                  &checkpointer,
+                    const SearchLimits            &limits);
+
+    /** Continues after the periods that were computed and shown before.
+     *
+     * @param is_comparable whether the first period is compared with an
+     * unstressed state; false on a new mesh. */
+    void
+    continue_from(const PeriodicResult &before, const bool is_comparable)
+    {
+      so_far              = before;
+      this->is_comparable = is_comparable;
+    }
+
+    /** Requires that the viscous strain returns, as it is known to do.
+     *
+     * @param return_defect must outlive the ObservedPeriods. */
+    void
+    require_return(const ReturnDefect<dim> &return_defect)
+    {
+      defect = &return_defect;
+    }
 
     /** Begins another period, unless the search has converged or computed the
      * maximum of periods. Between periods, and at the end of the last one, the
@@ -93,7 +99,7 @@ namespace Crevasse
     bool
     has_memory() const
     {
-      return integration.integrator != nullptr;
+      return integrator != nullptr;
     }
 
     /** Advances the viscous strain @p r to the end of the period. Returns the
@@ -138,7 +144,7 @@ namespace Crevasse
     Checkpointer *
     checkpointer() const
     {
-      return integration.checkpointer;
+      return &writer;
     }
 
     const PeriodicResult &
@@ -148,11 +154,14 @@ namespace Crevasse
     }
 
   private:
-    const PeriodIntegration<dim>   integration;
+    Evolution<dim>                &evolution;
+    Integrator *const              integrator;
+    StepList                      &steps;
     const std::vector<Observer *> &observers;
+    Checkpointer                  &writer;
     const SearchLimits             limits;
-    bool                           is_comparable;
-    const ReturnDefect<dim>       *defect;
+    bool                           is_comparable = true;
+    const ReturnDefect<dim>       *defect = nullptr; ///< null: may not return
 
     /** Whether the search has converged, or used all its periods. */
     bool
@@ -161,9 +170,13 @@ namespace Crevasse
       return so_far.converged || so_far.periods >= limits.maximum_periods;
     }
 
-    /** Advances @p r over the steps of a period from first_step on. */
-    void
-    advance(Vector &r);
+    /** Number of variational inequalities solved so far. */
+    std::size_t
+    n_solves() const;
+
+    /** Change of stress in the period that has ended with @p r. */
+    double
+    end_period(const Vector &r);
 
     /** Advances @p r over step @p k.
      *

@@ -10,15 +10,6 @@
 
 namespace Crevasse
 {
-  /** Stage of a run: its periods on one mesh. */
-  struct MeshStage
-  {
-    /** Last period of the stage, unless the run ends before. */
-    unsigned int last_period = std::numeric_limits<unsigned int>::max();
-    /** Whether the run ends with this stage: periodic, or out of periods. */
-    bool ends_run = false;
-  };
-
   /**
    * State of a run at the end of a period: the state of the body, from which
    * the run continues with any method on any mesh, and results of the periods
@@ -37,9 +28,8 @@ namespace Crevasse
     double           largest_displacement = 0.;
     double           largest_opening      = 0.;
 
-    bool      fourier_failed = false; ///< whether Fourier failed on this mesh
-    bool      was_resumed    = false; ///< whether this stage was resumed
-    MeshStage stage;
+    bool fourier_failed = false; ///< whether Fourier failed on this mesh
+    bool was_resumed    = false; ///< whether this mesh was resumed
 
     dealii::Timer timer; ///< runs since the set-up of the meshes
 
@@ -57,7 +47,7 @@ namespace Crevasse
     }
 
     /** Serialises results and readings of the stopwatches, without the fields
-     * and the members of the current stage. */
+     * and the members of this mesh. */
     void
     serialize(StateArchive &archive)
     {

@@ -62,7 +62,7 @@ namespace Crevasse
 
     /** Writes solution_<n>.vtu, .pvtu and solution.pvd. @throw FileError */
     void
-    summarise(Summary &) override;
+    finish() override;
 
   private:
     struct Snapshot

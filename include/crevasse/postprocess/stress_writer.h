@@ -55,7 +55,7 @@ namespace Crevasse
     /** Writes the file if anything was computed. Collective.
      * @throw FileError */
     void
-    summarise(Summary &) override
+    finish() override
     {
       CellValues<dim> cell_values(body.space, dealii::update_quadrature_points);
       std::vector<dealii::CellId::binary_type> cells;

@@ -5,8 +5,7 @@
 #define crevasse_simulation_adaptive_run_h
 
 #include <crevasse/simulation/adapted_mesh.h>
-#include <crevasse/simulation/workspace.h>
-#include <crevasse/time/observer.h>
+#include <crevasse/simulation/run.h>
 
 namespace Crevasse
 {
@@ -33,33 +32,32 @@ namespace Crevasse
     void
     describe() const;
 
-    /** Computes the run and writes its results to the directory, which must
-     * exist. Collective.
+    /** Computes the run and writes its results to the directory of the
+     * checkpoints, which must exist. Collective.
      *
-     * @param stress_record see StressWriter.
      * @throw NumericalError; if the periodic state was not reached, after all
      * results are written. */
     void
-    run(const std::string &directory, const bool stress_record = false);
+    run();
 
   private:
     /** Serialises the summary of the meshes. */
     void
     serialize_summary(StateArchive &archive);
 
-    /** Adapts the mesh to estimated errors, creates a new set-up on it, and
+    /** Adapts the mesh to estimated errors, creates a new run on it, and
      * transfers the fields. */
     void
-    readapt(const dealii::Vector<float> &squares, const double error);
+    readapt();
 
-    RunState                             state; ///< state, with its timer
-    const Stopwatch                      watch{all_else};
-    const Scene                          scene;
-    Log                                 &log;
-    Checkpoints                         &checkpoints;
-    AdaptedMesh<dim>                     adapted;
-    std::unique_ptr<const RunSetup<dim>> setup;
-    Summary                              summary; ///< summary of meshes
+    RunState                  state; ///< state, with its timer
+    const Stopwatch           watch{all_else};
+    const Scene               scene;
+    Log                      &log;
+    Checkpoints              &checkpoints;
+    AdaptedMesh<dim>          adapted;
+    std::unique_ptr<Run<dim>> on_mesh;
+    Summary                   summary; ///< summary of meshes
   };
 } // namespace Crevasse
 

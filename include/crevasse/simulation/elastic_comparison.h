@@ -7,7 +7,7 @@
 #include <crevasse/base/format.h>
 #include <crevasse/base/state_archive.h>
 #include <crevasse/model/elastic_displacement.h>
-#include <crevasse/simulation/workspace.h>
+#include <crevasse/simulation/run.h>
 #include <crevasse/time/observer.h>
 
 namespace Crevasse
@@ -24,19 +24,18 @@ namespace Crevasse
   public:
     /** Solves for u_el. The arguments must outlive the ElasticComparison.
      * @param drift q(t+T) − q(t) of the last period. */
-    ElasticComparison(Workspace<dim> &work, const Vector &drift)
-      : work(work)
-      , factors(*work.setup.load_factors)
+    ElasticComparison(Run<dim> &run, const Vector &drift)
+      : run(run)
+      , factors(*run.load_factors)
       , drift(drift)
-      , displacement(
-          elastic_displacement(work.setup.scene,
-                               work.setup.body,
-                               work.systems,
-                               factors.reference,
-                               work.setup.scene.output.elastic_comparison ==
-                                 ComparedLip::closed))
+      , displacement(elastic_displacement(run.scene,
+                                          run.body,
+                                          run.systems,
+                                          factors.reference,
+                                          run.scene.output.elastic_comparison ==
+                                            ComparedLip::closed))
     {
-      const Body<dim>         &body     = work.setup.body;
+      const Body<dim>         &body     = run.body;
       const MaterialState<dim> material = body.material.at(0.);
       body.points.initialize(stress);
       body.strain_operator.for_each_strain(
@@ -86,13 +85,13 @@ namespace Crevasse
     void
     summarise(Summary &summary) override
     {
-      Log &log                                           = work.output.log;
+      Log &log                                           = run.log;
       summary["elastic_comparison"]["stress_difference"] = last_period;
       log.line(
         Text::format("  periodic stress against F(t) s_el: difference %.2e of "
                      "the largest stress",
                      last_period));
-      if (!work.setup.body.effects.viscosity.on)
+      if (!run.body.effects.viscosity.on)
         return;
       double largest_factor = 0.;
       for (const double f : factors.at_steps)
@@ -112,9 +111,9 @@ namespace Crevasse
     }
 
   private:
-    const Workspace<dim> &work;
-    const LoadFactors    &factors;
-    const Vector         &drift;
+    const Run<dim>    &run;
+    const LoadFactors &factors;
+    const Vector      &drift;
 
     Vector displacement, stress; ///< u_el and s_el at the reference loads
     double largest_difference = 0., largest_stress = 0.;

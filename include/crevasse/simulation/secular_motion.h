@@ -6,7 +6,7 @@
 
 #include <crevasse/base/format.h>
 #include <crevasse/base/state_archive.h>
-#include <crevasse/simulation/workspace.h>
+#include <crevasse/simulation/run.h>
 
 namespace Crevasse
 {
@@ -28,20 +28,18 @@ namespace Crevasse
   class SecularMotion : public Observer
   {
   public:
-    /** @param work before the first period on this mesh; it must outlive the
+    /** @param run before the first period on this mesh; it must outlive the
      * SecularMotion. */
-    explicit SecularMotion(const Workspace<dim> &work)
-      : work(work)
-      , setup(work.setup)
-      , communicator(setup.body.space.communicator())
-      , follows_lip(setup.body.effects.contact.on && work.start.flow &&
-                    !work.state.has_begun()) // first mesh only
+    explicit SecularMotion(const Run<dim> &run)
+      : run(run)
+      , communicator(run.body.space.communicator())
+      , follows_lip(run.body.effects.contact.on && run.flow &&
+                    !run.state.has_begun()) // first mesh only
     {
       if (!follows_lip)
         return;
-      const auto rates =
-        setup.body.lip.opening_rates(work.start.flow->velocity);
-      const auto &nodes = setup.body.lip.nodes;
+      const auto  rates = run.body.lip.opening_rates(run.flow->velocity);
+      const auto &nodes = run.body.lip.nodes;
       for (unsigned int k = 0; k < nodes.size(); ++k)
         if (const double rate = rates[nodes[k].number]; rate > 0.)
           opening_nodes.push_back({k, rate});
@@ -52,12 +50,12 @@ namespace Crevasse
     {
       if (sample.step == 0)
         start = sample.state.displacement;
-      else if (sample.step == work.steps.n_steps())
+      else if (sample.step == run.steps.n_steps())
         {
           gain = sample.state.displacement;
           gain -= start;
           if (sample.secular_flow != nullptr)
-            gain.add(work.steps.period(), sample.secular_flow->velocity);
+            gain.add(run.steps.period(), sample.secular_flow->velocity);
         }
       if (follows_lip)
         observe_lip(sample);
@@ -73,7 +71,7 @@ namespace Crevasse
       for (double OpeningNode::*entry :
            {&OpeningNode::least, &OpeningNode::integral, &OpeningNode::last})
         {
-          std::vector<double> values(setup.body.lip.nodes.size());
+          std::vector<double> values(run.body.lip.nodes.size());
           for (const OpeningNode &node : opening_nodes)
             values[node.index] = node.*entry;
           archive.on_bounds(values);
@@ -90,41 +88,41 @@ namespace Crevasse
     void
     summarise(Summary &summary) override
     {
-      const Effects &effects = setup.body.effects;
+      const Effects &effects = run.body.effects;
       Summary        drift;
-      Summary        secular = {{"on", work.start.split.effect.on},
-                                {"why", work.start.split.effect.why}};
+      Summary        secular = {{"on", run.split.effect.on},
+                                {"why", run.split.effect.why}};
       if (effects.viscosity.on)
         {
-          const double largest  = setup.body.space.largest_component(gain);
+          const double largest  = run.body.space.largest_component(gain);
           const double per_time = // nan: unknown
-            is_noise(largest) ? NAN : 1. / work.steps.period();
+            is_noise(largest) ? NAN : 1. / run.steps.period();
           drift["largest_rate"] = largest * per_time;
-          for (const auto &probe : setup.probes)
+          for (const auto &probe : run.probes)
             drift["per_probe"][probe.name()] =
               components(probe.displacement(gain) * per_time);
           if (effects.contact.on)
             {
               // Largest closing of a node of the lip; β closes none.
               double closing = 0.;
-              for (const LipNode<dim> &node : setup.body.lip.nodes)
+              for (const LipNode<dim> &node : run.body.lip.nodes)
                 closing = std::max(closing, -node.normal_part(gain));
               closing = dealii::Utilities::MPI::max(closing, communicator);
               drift["largest_closing_rate"] =
-                is_noise(closing) ? NAN : closing / work.steps.period();
+                is_noise(closing) ? NAN : closing / run.steps.period();
             }
           if (follows_lip)
             summarise_lip(secular);
-          if (work.start.flow)
+          if (run.flow)
             summarise_flow(secular);
           const auto complete = [&](Summary &gain_of, Summary &flow_of) {
-            if (!work.start.flow)
+            if (!run.flow)
               flow_of = gain_of;
             else if (is_noise(largest))
               gain_of = flow_of;
           };
           complete(drift["largest_rate"], secular["largest_rate"]);
-          for (const auto &probe : setup.probes)
+          for (const auto &probe : run.probes)
             complete(drift["per_probe"][probe.name()],
                      secular["per_probe"][probe.name()]["beta"]);
           summary["drift"] = drift;
@@ -161,7 +159,7 @@ namespace Crevasse
       constexpr double rounding = 1e-9; // relative to the loads
       const double pressing = rounding * sample.right_hand_side.linfty_norm();
       const bool   is_whole = sample.secular_flow == nullptr;
-      const auto  &nodes    = setup.body.lip.nodes;
+      const auto  &nodes    = run.body.lip.nodes;
       const ContactForces &forces    = sample.state.contact_forces;
       const double         half_step = 0.5 * (sample.instant - last_instant);
       for (OpeningNode &opening : opening_nodes)
@@ -183,7 +181,7 @@ namespace Crevasse
           if (is_whole && forces.normal[opening.index] > pressing)
             last_pressed = sample.time;
         }
-      const double force = setup.body.lip.force(forces);
+      const double force = run.body.lip.force(forces);
       impulse =
         sample.step == 0 ? 0. : impulse + half_step * (force + last_force);
       last_force   = force;
@@ -196,24 +194,24 @@ namespace Crevasse
     is_noise(const double displacement) const
     {
       constexpr double some = 100.;
-      return displacement <= some * work.systems.statistics().accuracy *
-                               work.state.largest_displacement;
+      return displacement <= some * run.systems.statistics().accuracy *
+                               run.state.largest_displacement;
     }
 
     void
     summarise_flow(Summary &secular) const
     {
-      const ContactForces &forces = work.start.flow->contact_forces;
-      Vector               beta   = work.start.flow->velocity;
+      const ContactForces &forces = run.flow->contact_forces;
+      Vector               beta   = run.flow->velocity;
       // The flow is solved for separately: rounding of the mean load limits it.
       constexpr double rounding = 1e-12;
-      if (setup.body.space.largest_component(beta) * work.steps.period() <=
-          rounding * work.state.largest_displacement)
+      if (run.body.space.largest_component(beta) * run.steps.period() <=
+          rounding * run.state.largest_displacement)
         beta = 0.;
-      secular["largest_rate"] = setup.body.space.largest_component(beta);
+      secular["largest_rate"] = run.body.space.largest_component(beta);
       secular["contact_force"] =
-        dealii::Utilities::MPI::sum(setup.body.lip.force(forces), communicator);
-      for (const auto &probe : setup.probes)
+        dealii::Utilities::MPI::sum(run.body.lip.force(forces), communicator);
+      for (const auto &probe : run.probes)
         {
           auto        &entry    = secular["per_probe"][probe.name()];
           const double pressure = probe.pressure(forces);
@@ -233,7 +231,7 @@ namespace Crevasse
       for (const OpeningNode &opening : opening_nodes)
         {
           const double swing = opening.integral / last_instant - opening.least;
-          const double gap   = setup.body.lip.nodes[opening.index].gap;
+          const double gap   = run.body.lip.nodes[opening.index].gap;
           onset              = std::max(onset, (gap + swing) / opening.rate);
         }
       onset = dealii::Utilities::MPI::max(onset, communicator);
@@ -250,15 +248,14 @@ namespace Crevasse
       secular["last_contact_of_opening_nodes"] =
         pressed >= 0. ? Summary(pressed) : Summary();
       if (number > 0)
-        work.output.log.line(
-          Text::Message() << "  the flow opens " << number
-                          << " nodes of the lip: none touches after t_0 = "
-                          << onset << " at the latest (q of mean value zero)");
+        run.log.line(Text::Message()
+                     << "  the flow opens " << number
+                     << " nodes of the lip: none touches after t_0 = " << onset
+                     << " at the latest (q of mean value zero)");
     }
 
-    const Workspace<dim> &work;
-    const RunSetup<dim>  &setup;
-    const MPI_Comm        communicator;
+    const Run<dim> &run;
+    const MPI_Comm  communicator;
 
     Vector start; ///< q at the period's start
     Vector gain;

@@ -6,7 +6,7 @@
 
 #include <crevasse/base/log.h>
 #include <crevasse/base/summary.h>
-#include <crevasse/simulation/run_setup.h>
+#include <crevasse/simulation/run.h>
 
 namespace Crevasse
 {
@@ -16,11 +16,16 @@ namespace Crevasse
   Summary
   sizes_of(const Body<dim> &body);
 
+  /** Lines about settings that are valid, but probably a mistake. */
+  template <int dim>
+  std::vector<std::string>
+  warnings(const Run<dim> &run);
+
   /** Logs effects, sizes, predicted memory and choices. Collective.
    * @throw SceneError if there is not enough memory. */
   template <int dim>
   void
-  describe(const RunSetup<dim> &setup, Log &log);
+  describe(const Run<dim> &run);
 } // namespace Crevasse
 
 #endif

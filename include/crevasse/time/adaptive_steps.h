@@ -9,7 +9,7 @@
 namespace Crevasse
 {
   /**
-   * Creates a control of adaptive steps, whose error of the stress, a part of
+   * Makes a method take adaptive steps, whose error of the stress, a part of
    * the estimate of an embedded method of order 1, is within a tolerance.
    *
    * The first period finds the steps by a proportional–integral controller
@@ -23,14 +23,17 @@ namespace Crevasse
    * If each length of step has its own matrix, lengths are intervals between
    * fixed instants divided by powers of 2, so that few matrices occur.
    *
-   * @param steps list whose fixed instants always end steps.
+   * @param properties of the result.
+   * @param steps whose fixed instants always end steps; they must outlive the
+   * result, which changes them.
    * @param stability_limit see StepControl.
    */
-  std::unique_ptr<StepControl>
-  make_adaptive_steps(const TimeIntegrationParameters &parameters,
+  std::unique_ptr<Integrator>
+  make_adaptive_steps(std::unique_ptr<Integrator>    &&method,
+                      const IntegratorProperties      &properties,
+                      const TimeIntegrationParameters &parameters,
                       const double                     largest_step,
-                      const StepList                  &steps,
-                      const IntegratorProperties      &integrator,
+                      StepList                        &steps,
                       const double                     stability_limit);
 } // namespace Crevasse
 

@@ -110,6 +110,21 @@ namespace Crevasse
     double
     relaxation_rate() const override;
 
+    std::size_t
+    n_evaluations() const override
+    {
+      return statistics().rate_evaluations;
+    }
+
+    /** Counts and largest errors of the run so far. */
+    SolverStatistics
+    statistics() const
+    {
+      SolverStatistics all = instants.statistics();
+      all.rate_evaluations += evaluations;
+      return all;
+    }
+
     void
     strain_per_stress(const Vector &r, Vector &scale) const override;
 
@@ -211,12 +226,9 @@ namespace Crevasse
                    const double                c,
                    Vector                     &rate);
 
-    /** The same of creep by a power law. */
+    /** Rates of power-law creep at the last stress. */
     void
-    implicit_power_law(const double  t,
-                       const Vector &known,
-                       const double  c,
-                       Vector       &rate);
+    power_law_rates(const double t, Vector &rate);
 
     /** Stress and rate of one Maxwell body that is the same everywhere. */
     void
@@ -234,6 +246,8 @@ namespace Crevasse
     /** Of this rank's points in the last evaluation: see relaxation_rate();
      * negative: the stress has no say. */
     double fastest = -1.;
+
+    std::size_t evaluations = 0; ///< by this object
 
     State  last;
     Vector loading;

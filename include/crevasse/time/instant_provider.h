@@ -72,6 +72,10 @@ namespace Crevasse
     /** How the material relaxes over a time c, as at @p t. */
     virtual const RelaxationFunctions<dim> &
     relaxation_at(const double t, const double c) = 0;
+
+    /** Counts and largest errors of all contact problems so far. */
+    virtual SolverStatistics
+    statistics() const = 0;
   };
 } // namespace Crevasse
 

@@ -43,6 +43,8 @@ namespace Crevasse
      * exceeds the end of the given step, and is not shown: its state can be
      * saved only at the beginning of a period. */
     bool controls_steps = false;
+    /** Whether a period that is computed again has the same steps. */
+    bool repeats_steps = true;
   };
 
   /** A step from (t, r), which was the last start, to t + length. Several
@@ -78,6 +80,13 @@ namespace Crevasse
       is_continuing = false;
     }
 
+    /** Restarts at the beginning of a period. */
+    virtual void
+    begin_period()
+    {
+      restart();
+    }
+
     /**
      * Evaluates f at (t, r) as the last evaluation, so that the state at t,
      * which f has solved for, can be observed. Methods whose steps end with
@@ -92,6 +101,8 @@ namespace Crevasse
       f.rate(t, r, rate);
     }
 
+    /** Advances r by the step, or by a part of it that the method chooses, see
+     * StepControl. */
     virtual void
     advance(const TimeStep &step) = 0;
 

@@ -67,10 +67,15 @@ namespace Crevasse
     }
 
     /** Adds the observer's part of the summary after the last period, in the
-     * order of creation of observers; prints and writes final results.
-     * Collective. */
+     * order of creation of observers, and prints it. Collective. */
     virtual void
     summarise(Summary &)
+    {
+    }
+
+    /** Writes final results after summarise(). Collective. */
+    virtual void
+    finish()
     {
     }
 

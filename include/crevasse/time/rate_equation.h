@@ -72,6 +72,10 @@ namespace Crevasse
     virtual double
     relaxation_rate() const = 0;
 
+    /** How often the equation was evaluated. */
+    virtual std::size_t
+    n_evaluations() const = 0;
+
     /** φ = u_N − gap − κg of each contact node of this rank in the last
      * evaluation, κ > 0: positive where the lip is open, negative where it is
      * closed, continuous in between. */

@@ -7,79 +7,63 @@
 #include <crevasse/time/integrator.h>
 #include <crevasse/time/step_list.h>
 
+#include <memory>
+#include <utility>
+
 namespace Crevasse
 {
-  /** A step of a period, with the objects that advance it. */
-  struct PeriodStep
-  {
-    Integrator        &integrator;
-    RateEquation      &f;
-    StepList          &steps;
-    const unsigned int k; ///< index of the step
-    Vector            &r;
-    Vector            &rate; ///< result of Integrator::start()
-  };
-
-  /** Decides the lengths of steps: this class takes the steps as given. */
-  class StepControl
+  /** An integrator that takes the steps of a period by a method, and checks
+   * before each whether it is stable. */
+  class StepControl : public Integrator
   {
   public:
-    /** @param stability_limit of the integrator, if the relaxation rate depends
-     * on the stress: the longest step is this limit over that rate. */
-    explicit StepControl(const double stability_limit = no_stability_limit)
-      : stability_limit(stability_limit)
+    /** @param steps must outlive the StepControl.
+     * @param stability_limit of the method, if the relaxation rate depends on
+     * the stress: the longest step is this limit over that rate. */
+    StepControl(std::unique_ptr<Integrator> &&method,
+                const IntegratorProperties   &properties,
+                StepList                     &steps,
+                const double                  stability_limit)
+      : Integrator(properties)
+      , method(std::move(method))
+      , steps(steps)
+      , stability_limit(stability_limit)
     {
     }
 
-    virtual ~StepControl() = default;
-
-    /** Sets @p steps to the steps of the next period, as far as known. */
-    virtual void
-    begin_period(StepList &)
+    void
+    restart() override
     {
+      method->restart();
     }
 
-    /** Calls Integrator::start() at instant k. */
-    virtual void
-    start(const PeriodStep &step)
+    void
+    start(RateEquation &f,
+          const double  t,
+          const Vector &r,
+          Vector       &rate) override
     {
-      step.integrator.start(step.f,
-                            step.steps.instant(step.k),
-                            step.r,
-                            step.rate);
+      method->start(f, t, r, rate);
     }
 
-    /** Advances r from instant k, the last start, to instant k + 1 of the
-     * steps, for which the step may be divided.
-     * @throw NumericalError if an undivided step exceeds the limit. */
-    virtual void
-    advance(const PeriodStep &step)
+    /** @throw NumericalError if the step exceeds the limit. */
+    void
+    advance(const TimeStep &step) override
     {
       require_stability(step);
-      step.integrator.advance({step.f,
-                               step.steps.instant(step.k),
-                               step.steps.step(step.k),
-                               step.rate,
-                               step.r});
+      method->advance(step);
     }
 
-    /** Whether a recomputed period has the same steps. */
-    virtual bool
-    repeats_steps() const
+    void
+    serialize(StateArchive &archive) override
     {
-      return true;
+      method->serialize(archive);
     }
 
-    virtual IntegratorStatistics
-    statistics() const
+    IntegratorStatistics
+    statistics() const override
     {
-      return {};
-    }
-
-    /** Serialises data on the steps so far, if any. */
-    virtual void
-    serialize(StateArchive &)
-    {
+      return method->statistics();
     }
 
   protected:
@@ -87,24 +71,29 @@ namespace Crevasse
      * material limits it. Collective.
      * @throw NumericalError if a period takes too many such steps. */
     double
-    longest_stable(const PeriodStep &step) const;
+    longest_stable(const TimeStep &step) const;
+
+    const std::unique_ptr<Integrator> method;
+    StepList                         &steps;
 
   private:
     void
-    require_stability(const PeriodStep &step) const;
+    require_stability(const TimeStep &step) const;
 
     const double stability_limit;
   };
 
-  /** Creates the step control of a scene.
+  /** Makes a method take the steps that a scene asks for.
+   * @param steps must outlive the result, which changes them if they are
+   * adaptive.
    * @param smallest_relaxation_time limits adaptive steps, which are at most as
    * long as those of Steps per period.
    * @throw NumericalError if steps to be checked exceed the stability limit. */
-  std::unique_ptr<StepControl>
-  make_step_control(const TimeIntegrationParameters &parameters,
-                    const StepList                  &steps,
-                    const IntegratorProperties      &integrator,
-                    const double                     smallest_relaxation_time);
+  std::unique_ptr<Integrator>
+  control_steps(std::unique_ptr<Integrator>    &&method,
+                const TimeIntegrationParameters &parameters,
+                StepList                        &steps,
+                const double                     smallest_relaxation_time);
 } // namespace Crevasse
 
 #endif

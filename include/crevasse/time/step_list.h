@@ -37,11 +37,11 @@ namespace Crevasse
       instants = new_instants;
     }
 
-    /** Divides step @p k at @p t. */
+    /** Divides the step around @p t there. */
     void
-    divide(const unsigned int k, const double t)
+    divide_at(const double t)
     {
-      instants.insert(instants.begin() + k + 1, t);
+      instants.insert(std::upper_bound(instants.begin(), instants.end(), t), t);
     }
 
     void

@@ -110,6 +110,12 @@ namespace
       AssertThrow(false, dealii::ExcNotImplemented());
     }
 
+    SolverStatistics
+    statistics() const override
+    {
+      return contact_solver.statistics();
+    }
+
   private:
     const MaterialState<dim> &material;
     ContactSolver            &contact_solver;

@@ -42,6 +42,12 @@ namespace
       return 0.;
     }
 
+    std::size_t
+    n_evaluations() const override
+    {
+      return 0;
+    }
+
     void
     switching_functions(std::vector<double> &values) const override
     {
@@ -591,18 +597,17 @@ namespace
     parameters.steps_per_period   = 1;
     parameters.relative_tolerance = 0.1;
     StepList   steps(parameters, 2.);
-    const auto integrator = make_integrator(parameters, false);
-    const auto control =
-      make_step_control(parameters, steps, integrator->properties, 1.);
+    const auto integrator =
+      control_steps(make_integrator(parameters, false), parameters, steps, 1.);
     NearStages equation(0.5, 0.6);
     Vector     r(1), rate(1);
     r(0) = equation.solution(0.);
-    control->begin_period(steps);
+    integrator->begin_period();
     for (unsigned int k = 0; k < steps.n_steps(); ++k)
       {
-        const PeriodStep step{*integrator, equation, steps, k, r, rate};
-        control->start(step);
-        control->advance(step);
+        const double t = steps.instant(k);
+        integrator->start(equation, t, r, rate);
+        integrator->advance({equation, t, steps.step(k), rate, r});
       }
     check_below(scheme + ", error where stages of long steps are not found",
                 std::abs(r(0) - equation.solution(2.)),
@@ -613,9 +618,10 @@ namespace
   check_step_list()
   {
     TimeIntegrationParameters parameters;
+    parameters.scheme       = Scheme::heun;
     parameters.step_control = StepControlType::list;
     parameters.steps        = {0.1, 0.4};
-    const StepList steps(parameters, 1.);
+    StepList steps(parameters, 1.);
     check("a list is completed by 0 and the period",
           steps.n_steps() == 3 && steps.instant(0) == 0. &&
             steps.instant(3) == 1.);
@@ -626,7 +632,10 @@ namespace
     const auto refused = [&](const double tau) {
       try
         {
-          make_step_control(parameters, steps, {"heun", 2., {}}, tau);
+          control_steps(make_integrator(parameters, false),
+                        parameters,
+                        steps,
+                        tau);
           return false;
         }
       catch (const NumericalError &)

@@ -7,7 +7,7 @@
 #include <crevasse/contact/sweep.h>
 #include <crevasse/model/elastic_displacement.h>
 #include <crevasse/model/largest_load.h>
-#include <crevasse/simulation/relaxation_table.h>
+#include <crevasse/simulation/run.h>
 
 namespace Crevasse
 {
@@ -44,23 +44,25 @@ namespace Crevasse
 
 
 
+  // Without constraints, at the instant of the largest load, the number of SOR
+  // iterations to the residual of the direct solver, for each relaxation factor
+  // of the scene and for the best factor, found by dichotomy. The paper's
+  // machine is assumed to have single precision with 27 bits of mantissa: its
+  // direct solver's residual then is that of a solution rounded to 27 bits, the
+  // target of the table's second column.
   template <int dim>
   void
-  write_relaxation_table(Workspace<dim> &work)
+  Run<dim>::write_relaxation_table()
   {
-    const Scene        &scene  = work.setup.scene;
-    const Body<dim>    &body   = work.setup.body;
-    Log                &log    = work.output.log;
-    const SparseMatrix &matrix = work.systems.system_at(0.).problem().matrix();
-    const Vector        loads =
-      loads_at(body, instant_of_largest_load(body, work.steps));
+    const SparseMatrix &matrix = systems.system_at(0.).problem().matrix();
+    const Vector loads   = loads_at(body, instant_of_largest_load(body, steps));
     const double largest = loads.linfty_norm();
     if (largest == 0.)
       throw SceneError(
         "[Contact] Relaxation table: there is no load, so that iterations "
         "cannot be counted. Set [Loads], or leave the table empty.");
     const Vector direct =
-      elastic_displacement(scene, body, work.systems, loads, false);
+      elastic_displacement(scene, body, systems, loads, false);
     const double target = residual_norm(matrix, direct, loads);
     const double target_1980 =
       residual_norm(matrix, in_single_precision_of_1980(direct), loads);
@@ -85,7 +87,7 @@ namespace Crevasse
     log.line("      factor    iterations       27 bits");
     const bool is_first_rank =
       Utilities::MPI::this_mpi_process(body.space.communicator()) == 0;
-    CsvTable csv(is_first_rank ? work.output.directory + "/relaxation.csv" : "",
+    CsvTable csv(is_first_rank ? checkpoints.directory + "/relaxation.csv" : "",
                  {"relaxation_factor", "iterations", "iterations_27_bits"});
     for (const double factor : factors)
       {
@@ -107,6 +109,8 @@ namespace Crevasse
 
 
 
-  template decltype(write_relaxation_table<2>) write_relaxation_table<2>;
-  template decltype(write_relaxation_table<3>) write_relaxation_table<3>;
+  template void
+  Run<2>::write_relaxation_table();
+  template void
+  Run<3>::write_relaxation_table();
 } // namespace Crevasse

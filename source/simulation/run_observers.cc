@@ -12,9 +12,8 @@
 #include <crevasse/postprocess/slip_while_closed.h>
 #include <crevasse/postprocess/stress_writer.h>
 #include <crevasse/simulation/elastic_comparison.h>
-#include <crevasse/simulation/observers.h>
+#include <crevasse/simulation/run.h>
 #include <crevasse/simulation/secular_motion.h>
-#include <crevasse/simulation/tables.h>
 
 namespace Crevasse
 {
@@ -30,29 +29,30 @@ namespace Crevasse
     public:
       /** Updates the largest values in the state of the run, also after other
        * meshes. */
-      explicit Extremes(Workspace<dim> &work)
-        : work(work)
-        , body(work.setup.body)
-        , run(work.state)
+      explicit Extremes(Run<dim> &run)
+        : run(run)
+        , body(run.body)
+        , state(run.state)
       {
       }
 
       void
       observe(const Sample &sample) override
       {
-        if (work.start.choice.periods_are_iterates() && sample.step == 0)
-          run.largest_displacement = run.largest_opening = viscous_strain = 0.;
-        const State &state = sample.state;
-        run.largest_displacement =
-          std::max(run.largest_displacement,
-                   body.space.largest_component(state.displacement));
+        if (run.choice.periods_are_iterates() && sample.step == 0)
+          state.largest_displacement = state.largest_opening = viscous_strain =
+            0.;
+        const State &now = sample.state;
+        state.largest_displacement =
+          std::max(state.largest_displacement,
+                   body.space.largest_component(now.displacement));
         if (sample.viscous_strain.size() > 0)
           viscous_strain =
             std::max(viscous_strain, sample.viscous_strain.linfty_norm());
         if (body.effects.contact.on)
-          lip = body.lip.totals(state.displacement, state.contact_forces);
-        run.largest_opening =
-          std::max(run.largest_opening, lip.largest_opening);
+          lip = body.lip.totals(now.displacement, now.contact_forces);
+        state.largest_opening =
+          std::max(state.largest_opening, lip.largest_opening);
       }
 
       void
@@ -64,10 +64,10 @@ namespace Crevasse
       void
       end_of_period(const PeriodReport &report) override
       {
-        run.largest_stress = std::max(work.start.choice.periods_are_iterates()
-                                        ? 0.
-                                        : run.largest_stress,
-                                      report.largest_stress);
+        state.largest_stress =
+          std::max(run.choice.periods_are_iterates() ? 0.
+                                                     : state.largest_stress,
+                   report.largest_stress);
       }
 
       void
@@ -82,20 +82,20 @@ namespace Crevasse
       summarise(Summary &summary) override
       {
         Summary &extremes         = summary["extremes"];
-        extremes["stress"]        = run.largest_stress;
-        extremes["displacement"]  = run.largest_displacement;
+        extremes["stress"]        = state.largest_stress;
+        extremes["displacement"]  = state.largest_displacement;
         constexpr double small    = 0.1;
         const double     diagonal = RigidParts<dim>(body.space.mesh()).size();
-        if (run.largest_displacement > small * diagonal)
-          work.output.log.line(
+        if (state.largest_displacement > small * diagonal)
+          run.log.line(
             Text::Message()
-            << "  Beware: displacements reach " << run.largest_displacement
+            << "  Beware: displacements reach " << state.largest_displacement
             << " in a body of diagonal " << diagonal
             << ": the theory is for small strains. Check that loads, lengths "
                "and moduli use one system of units, and that the body may "
                "creep this long.");
         if (body.effects.contact.on)
-          extremes["opening"] = run.largest_opening;
+          extremes["opening"] = state.largest_opening;
         if (!body.effects.viscosity.on)
           return;
         double     stiffness = 0.;
@@ -104,19 +104,19 @@ namespace Crevasse
           stiffness = std::max(stiffness, K.norm());
         stiffness = Utilities::MPI::max(stiffness, body.space.communicator());
         summary["certificate"]["stress_rounding"] =
-          run.largest_stress == 0.
+          state.largest_stress == 0.
             ? 0.
             : std::numeric_limits<double>::epsilon() * stiffness *
-                viscous_strain / run.largest_stress;
+                viscous_strain / state.largest_stress;
       }
 
       LipTotals lip; ///< state at the last sample
 
     private:
-      const Workspace<dim> &work;
-      const Body<dim>      &body;
-      RunState             &run;
-      double                viscous_strain = 0.; ///< its largest component
+      const Run<dim>  &run;
+      const Body<dim> &body;
+      RunState        &state;
+      double           viscous_strain = 0.; ///< its largest component
     };
 
 
@@ -231,38 +231,44 @@ namespace Crevasse
 
 
   template <int dim>
-  std::vector<std::unique_ptr<Observer>>
-  make_observers(Workspace<dim> &work)
+  void
+  Run<dim>::make_observers()
   {
-    const RunSetup<dim> &setup = work.setup;
-    const Body<dim>     &body  = setup.body;
-    Log                 &log   = work.output.log;
-
-    std::vector<std::unique_ptr<Observer>> all;
-    const auto                             add = [&all](auto observer) {
+    const auto add = [this](auto observer) {
       const auto view = observer.get();
-      all.push_back(std::move(observer));
+      observers.push_back(std::move(observer));
       return view;
     };
-    Tables tables(work);
+    const bool writes =
+      Utilities::MPI::this_mpi_process(body.space.communicator()) == 0;
+    // Ranks that do not write have no files.
+    const auto path = [&](const std::string &name) {
+      return writes ? checkpoints.directory + '/' + name : std::string();
+    };
+    std::vector<std::string> names; // of tables
+    const auto               table = [&](const std::string              &name,
+                           const std::vector<std::string> &columns) {
+      names.push_back(name);
+      return CsvTable(path(name), columns, state.has_tables());
+    };
 
-    const auto extremes = add(std::make_unique<Extremes<dim>>(work));
+    const auto extremes = add(std::make_unique<Extremes<dim>>(*this));
     // The end of the run is always included.
-    FieldInstants instants{false, {work.steps.period()}, {}};
+    FieldInstants instants{false, {steps.period()}, {}};
     const auto    follow_tip = [&instants](const auto number, const auto tip) {
       for (const double sign : {1., -1.})
         instants.followed.emplace_back(
           [tip, number, sign](auto &) { return sign * tip->latest().*number; });
     };
-    if (setup.crack_tips.empty())
+    if (crack_tips.empty())
       instants.followed.emplace_back(
         [](const Sample &sample) { return sample.state.stress.linfty_norm(); });
     std::vector<CsvTable> of_probes;
-    for (const ProbeEvaluator<dim> &probe : setup.probes)
+    for (const ProbeEvaluator<dim> &probe : probes)
       of_probes.push_back(
-        tables.table("probe_" + probe.name() + ".csv", probe.columns()));
+        table("probe_" + probe.name() + ".csv", probe.columns()));
     if (!of_probes.empty())
-      add(std::make_unique<ProbeTables<dim>>(setup.probes,
+      add(std::make_unique<ProbeTables<dim>>(probes,
                                              std::move(of_probes),
                                              body.space.communicator()));
     LipClosure<dim> *closure = nullptr;
@@ -270,17 +276,16 @@ namespace Crevasse
       {
         const LipTotals &lip = extremes->lip;
         add(std::make_unique<SampleTable>(
-          tables.table("contact.csv",
-                       {"t", "closed_nodes", "force", "largest_pressure"}),
+          table("contact.csv",
+                {"t", "closed_nodes", "force", "largest_pressure"}),
           [&lip](const Sample &sample) -> std::vector<double> {
             return {sample.time,
                     double(lip.closed_nodes),
                     lip.force,
                     lip.largest_pressure};
           }));
-        closure = add(std::make_unique<LipClosure<dim>>(body,
-                                                        tables.path("lip.csv"),
-                                                        work.evolution));
+        closure = add(
+          std::make_unique<LipClosure<dim>>(body, path("lip.csv"), evolution));
         instants.followed.emplace_back(
           [&lip](auto &) { return lip.largest_opening; });
         instants.followed.emplace_back(
@@ -288,102 +293,96 @@ namespace Crevasse
       }
     if (!body.space.roles.crack.empty())
       add(std::make_unique<SlipWhileClosed<dim>>(body, log));
-    const auto motion = add(std::make_unique<SecularMotion<dim>>(work));
-    if (setup.load_factors)
-      add(std::make_unique<ElasticComparison<dim>>(work, motion->drift()));
+    const auto motion = add(std::make_unique<SecularMotion<dim>>(*this));
+    if (load_factors)
+      add(std::make_unique<ElasticComparison<dim>>(*this, motion->drift()));
     if constexpr (dim == 2)
-      if (!setup.crack_tips.empty())
+      if (!crack_tips.empty())
         {
           const auto squares =
-            elastic_error_squares(setup.scene, body, work.systems, work.steps);
-          const TipContext context{work.steps, work.start.flow, closure, log};
+            elastic_error_squares(scene, body, systems, steps);
+          const TipContext context{steps, flow, closure, log};
           unsigned int     number = 0;
-          for (const auto &tip : setup.crack_tips)
+          for (const auto &tip : crack_tips)
             if (tip->intensity.region.tip.two_lips)
               follow_tip(&MixedModeValues::equivalent,
                          add(std::make_unique<MixedModeTable>(
                            *tip,
                            squares,
                            context,
-                           tables.table("crack_tip_" +
-                                          std::to_string(++number) + ".csv",
-                                        MixedModeTable::columns(*tip)))));
+                           table("crack_tip_" + std::to_string(++number) +
+                                   ".csv",
+                                 MixedModeTable::columns(*tip)))));
             else
               follow_tip(&CrackTipValues::intensity,
                          add(std::make_unique<CrackTipTable>(
                            *tip,
                            squares,
                            context,
-                           tables.table("crack_tip.csv",
-                                        CrackTipTable::columns(*tip)))));
+                           table("crack_tip.csv",
+                                 CrackTipTable::columns(*tip)))));
         }
     if constexpr (dim == 2)
-      for (unsigned int i = 0; i < setup.creep_integrals.size(); ++i)
+      for (unsigned int i = 0; i < creep_integrals.size(); ++i)
         {
-          const CreepIntegral &integral = *setup.creep_integrals[i];
+          const CreepIntegral &integral = *creep_integrals[i];
           const std::string    number =
             integral.region.tip.two_lips ? "_" + std::to_string(i + 1) : "";
           add(std::make_unique<CreepIntegralTable>(
-            setup.scene,
+            scene,
             integral,
-            work.steps,
-            work.start.choice.periods_are_iterates(),
-            tables.table("creep_integral" + number + ".csv",
-                         {"t", "C_t", "C_t_error"}),
+            steps,
+            choice.periods_are_iterates(),
+            table("creep_integral" + number + ".csv",
+                  {"t", "C_t", "C_t_error"}),
             log));
         }
-    if (setup.crack_front != nullptr)
+    if (crack_front != nullptr)
       add(std::make_unique<CrackFrontTable>(
-        *setup.crack_front, work.steps, tables.path("crack_front.csv"), log));
+        *crack_front, steps, path("crack_front.csv"), log));
     if (body.effects.field_output.on)
       {
-        const FieldTimes &times = *setup.scene.output.field_times;
+        const FieldTimes &times = *scene.output.field_times;
         instants.all            = times.all;
         if (!times.of_extremes)
           instants.followed.clear();
-        for (const double t : times.instants(work.steps.period()))
-          instants.chosen.insert(work.steps.instant(work.steps.nearest(t)));
-        add(std::make_unique<FieldWriter<dim>>(body,
-                                               setup.recovery,
-                                               work.steps,
-                                               instants,
-                                               work.output.directory,
-                                               log));
+        for (const double t : times.instants(steps.period()))
+          instants.chosen.insert(steps.instant(steps.nearest(t)));
+        add(std::make_unique<FieldWriter<dim>>(
+          body, recovery, steps, instants, checkpoints.directory, log));
       }
-    if (setup.scene.output.load_work)
+    if (scene.output.load_work)
       // Work of the loads ∫ loads · u (force times length, per thickness in a
       // plane). For an elastic body without gap, half of it is the strain
       // energy, and minus this half the least potential energy, the reference
       // for errors in the energy norm.
       add(std::make_unique<SampleTable>(
-        tables.table("load_work.csv", {"t", "load_work"}),
-        [&work](const Sample &sample) -> std::vector<double> {
-          const double t = work.steps.within_period(sample.instant);
-          return {sample.time,
-                  loads_at(work.setup.body, t) * sample.state.displacement};
+        table("load_work.csv", {"t", "load_work"}),
+        [this](const Sample &sample) -> std::vector<double> {
+          const double t = steps.within_period(sample.instant);
+          return {sample.time, loads_at(body, t) * sample.state.displacement};
         }));
-    if (work.output.stress_record)
+    if (scene.output.stress_record)
       add(std::make_unique<StressWriter<dim>>(body,
-                                              work.output.directory +
+                                              checkpoints.directory +
                                                 "/stress_samples.bin"));
-    add(std::make_unique<PeriodTable>(tables.table("periods.csv",
-                                                   {"period",
-                                                    "t_end",
-                                                    "stress_change",
-                                                    "stress_error_estimate",
-                                                    "vi_solves",
-                                                    "seconds"}),
-                                      setup.scene,
+    add(std::make_unique<PeriodTable>(table("periods.csv",
+                                            {"period",
+                                             "t_end",
+                                             "stress_change",
+                                             "stress_error_estimate",
+                                             "vi_solves",
+                                             "seconds"}),
+                                      scene,
                                       extremes->lip,
                                       log));
-    work.output.checkpoints.set_tables(tables.names);
-    return all;
+    checkpoints.set_tables(names);
   }
 
 
 
-  template std::vector<std::unique_ptr<Observer>>
-  make_observers(Workspace<2> &);
-  template std::vector<std::unique_ptr<Observer>>
-  make_observers(Workspace<3> &);
+  template void
+  Run<2>::make_observers();
+  template void
+  Run<3>::make_observers();
 } // namespace Crevasse

@@ -6,7 +6,7 @@
 #include <crevasse/model/largest_load.h>
 #include <crevasse/parameters/automatic.h>
 #include <crevasse/parameters/effects.h>
-#include <crevasse/simulation/warnings.h>
+#include <crevasse/simulation/setup_report.h>
 
 namespace Crevasse
 {
@@ -15,19 +15,17 @@ namespace Crevasse
     /** Warns of steps with which a scheme is stable, but inaccurate. */
     template <int dim>
     void
-    warn_of_large_steps(const RunSetup<dim>      &setup,
-                        const PeriodicChoice     &choice,
-                        std::vector<std::string> &all)
+    warn_of_large_steps(const Run<dim> &run, std::vector<std::string> &all)
     {
-      const TimeIntegrationParameters &time = setup.scene.time_integration;
+      const TimeIntegrationParameters &time = run.scene.time_integration;
       const double                     in_relaxation_times =
-        setup.steps.largest_step() / setup.relaxation_times.smallest;
-      if (setup.integrator == nullptr || in_relaxation_times <= 2.)
+        run.steps.largest_step() / run.magnitudes.relaxation_times.smallest;
+      if (run.integrator == nullptr || in_relaxation_times <= 2.)
         return;
       const std::string steps = Text::Message()
                                 << " with steps of " << in_relaxation_times
                                 << " relaxation times";
-      if (!choice.uses_fourier() && time.scheme == Scheme::trapezoid)
+      if (!run.choice.uses_fourier() && time.scheme == Scheme::trapezoid)
         all.push_back("[Time integration] Scheme = trapezoid" + steps +
                       ": stress that relaxes so fast oscillates instead of "
                       "decaying; use Scheme = sdirk2");
@@ -44,39 +42,38 @@ namespace Crevasse
 
   template <int dim>
   std::vector<std::string>
-  warnings(const RunSetup<dim>  &setup,
-           const PeriodicChoice &choice,
-           const SecularSplit   &split)
+  warnings(const Run<dim> &run)
   {
-    std::vector<std::string> all   = unused_parameters(setup.scene);
+    std::vector<std::string> all   = unused_parameters(run.scene);
     constexpr double         small = 0.1;
-    if (setup.largest_thermal_strain > small)
+    if (run.magnitudes.largest_thermal_strain > small)
       all.push_back(
         Text::Message()
         << "[Material] Thermal expansion and [Loads] Temperature: the thermal "
            "strain is up to "
-        << setup.largest_thermal_strain
+        << run.magnitudes.largest_thermal_strain
         << "; the theory is for strains much less than 1");
     constexpr double      too_much = 0.5;
-    const StepControlType control  = setup.scene.time_integration.step_control;
-    if (setup.missed_load > too_much && control != StepControlType::adaptive)
+    const StepControlType control  = run.scene.time_integration.step_control;
+    if (run.magnitudes.missed_load > too_much &&
+        control != StepControlType::adaptive)
       all.push_back(
         Text::Message()
         << "[Time integration]: within a step the loads differ by "
-        << std::lround(100. * setup.missed_load)
+        << std::lround(100. * run.magnitudes.missed_load)
         << " % of their largest value from a straight line between its ends; "
            "steps that are too few, or that end at zeros of a load, "
-        << (setup.integrator == nullptr ? "show" : "compute with")
+        << (run.integrator == nullptr ? "show" : "compute with")
         << " another load than that of the scene. "
         << (control == StepControlType::list ? "Add instants to Steps"
                                              : "Raise Steps per period"));
     constexpr double is_jump = 0.2;
-    if (setup.scene.crack_tip.creep_integral &&
-        formulas_can_jump(setup.scene) && setup.missed_load > is_jump)
+    if (run.scene.crack_tip.creep_integral && formulas_can_jump(run.scene) &&
+        run.magnitudes.missed_load > is_jump)
       all.emplace_back(
         "[Crack tip] Creep integral: a load seems to jump within a step, where "
         "C(t) is wrong; let a step end at the jump ([Time integration] Steps)");
-    if (const auto &scene = setup.scene;
+    if (const auto &scene = run.scene;
         scene.material.viscosity == ViscosityType::power_law &&
         scene.discretisation.volumetric_strain == VolumetricStrain::full &&
         (dim == 3 || scene.material.plane_state != PlaneState::plane_stress))
@@ -84,31 +81,29 @@ namespace Crevasse
         "[Material] Viscosity = power law keeps the volume, so that "
         "elements lock: set [Discretisation] Volumetric strain = "
         "mean and Degree = 1");
-    if (setup.steps.jumps_at(setup.steps.period()) &&
-        !formulas_can_jump(setup.scene))
+    if (run.steps.jumps_at(run.steps.period()) && !formulas_can_jump(run.scene))
       all.push_back(
-        "[Loads] Period = " + Text::from_number(setup.steps.period()) +
+        "[Loads] Period = " + Text::from_number(run.steps.period()) +
         ": loads or material jump at the end of the period, though no formula "
         "has a jump; at t = Period the tables show the load of t = 0. Check "
         "that this is the period of the formulas; a load that is applied once "
         "needs a longer Period, in which it returns to its initial value");
-    if (singular_functions(setup.scene).n == 3 && setup.body.effects.contact.on)
+    if (singular_functions(run.scene).n == 3 && run.body.effects.contact.on)
       all.emplace_back(
         "[Discretisation] Singular functions = 3 with contact: the third "
         "function moves the closed lip between its nodes, so that pressure and "
         "K_I have errors of some tenths of a per cent; use 2");
-    if (has_thermal_expansion(setup.scene.material))
-      if (const double least =
-            least_temperature(setup.body, setup.steps.period());
+    if (has_thermal_expansion(run.scene.material))
+      if (const double least = least_temperature(run.body, run.steps.period());
           least > 200.)
         all.push_back(Text::Message()
                       << "[Loads] Temperature is at least " << least
                       << " everywhere and always, as a temperature in kelvin "
                          "would be, but it is the change from the temperature "
                          "without thermal strain; subtract that temperature");
-    if (!split.warning.empty())
-      all.push_back(split.warning);
-    warn_of_large_steps(setup, choice, all);
+    if (!run.split.warning.empty())
+      all.push_back(run.split.warning);
+    warn_of_large_steps(run, all);
     return all;
   }
 

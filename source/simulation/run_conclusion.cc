@@ -4,11 +4,11 @@
 #include <crevasse/base/format.h>
 #include <crevasse/base/libraries.h>
 #include <crevasse/base/machine_memory.h>
+#include <crevasse/base/problems.h>
 #include <crevasse/base/text.h>
 #include <crevasse/base/version.h>
-#include <crevasse/simulation/conclusion.h>
+#include <crevasse/simulation/run.h>
 #include <crevasse/simulation/setup_report.h>
-#include <crevasse/simulation/warnings.h>
 
 namespace Crevasse
 {
@@ -16,16 +16,23 @@ namespace Crevasse
 
   namespace
   {
+    /** Error: stress is not periodic after the maximum of periods. All results
+     * are written, but they are not periodic as requested. */
+    struct NotPeriodicError : NumericalError
+    {
+      using NumericalError::NumericalError;
+    };
+
+
+
     /** Summarises the counts of integrator and step control. */
     template <int dim>
     void
-    summarise_steps(const Workspace<dim> &work, Log &log, Summary &summary)
+    summarise_steps(const Run<dim> &run, Summary &summary)
     {
-      if (work.integrator == nullptr)
+      if (run.integrator == nullptr)
         return;
-      IntegratorStatistics statistics = work.integrator->statistics();
-      for (const auto &entry : work.step_control->statistics())
-        statistics.push_back(entry);
+      const IntegratorStatistics statistics = run.integrator->statistics();
       if (statistics.empty())
         return;
       std::vector<std::string> parts;
@@ -35,7 +42,7 @@ namespace Crevasse
           parts.push_back(std::to_string(number) + ' ' + name);
           std::replace(parts.back().begin(), parts.back().end(), '_', ' ');
         }
-      log.line("\n  " + Text::join(parts, ", "));
+      run.log.line("\n  " + Text::join(parts, ", "));
     }
 
 
@@ -70,87 +77,80 @@ namespace Crevasse
           ". Causes are very flat cells, a Poisson ratio close to its limits, "
           "or moduli that differ by many orders of magnitude.");
     }
-  } // namespace
 
 
 
-  template <int dim>
-  void
-  summarise_run(const Workspace<dim> &work, Summary &summary)
-  {
-    const RunSetup<dim> &setup = work.setup;
-    Log                 &log   = work.output.log;
-    summary["version"]         = CREVASSE_VERSION;
-    summary["git"]             = CREVASSE_GIT_REVISION;
-    summary["libraries"]       = library_versions();
-    summary["dimension"]       = dim;
-    summary.update(sizes_of(setup.body));
-    for (const Effects::Effect &effect : setup.active_effects(work.start.split))
-      summary["effects"][effect.name] = {{"on", effect.on},
-                                         {"why", effect.why}};
+    /** Summarises what was computed and how: versions, sizes, effects, choices,
+     * warnings and counters. Collective. */
+    template <int dim>
+    void
+    summarise_run(const Run<dim> &run, Summary &summary)
+    {
+      summary["version"]   = CREVASSE_VERSION;
+      summary["git"]       = CREVASSE_GIT_REVISION;
+      summary["libraries"] = library_versions();
+      summary["dimension"] = dim;
+      summary.update(sizes_of(run.body));
+      for (const Effects::Effect &effect : run.active_effects())
+        summary["effects"][effect.name] = {{"on", effect.on},
+                                           {"why", effect.why}};
 
-    summary["periodic_method"] = work.start.choice.describe();
-    std::vector<std::string> all_warnings =
-      warnings(setup, work.start.choice, work.start.split);
-    all_warnings.insert(all_warnings.end(),
-                        work.start.warnings.begin(),
-                        work.start.warnings.end());
-    summary["warnings"] = all_warnings;
-
-    work.systems.summarise(summary);
-    summary["counters"]["rate_evaluations"] =
-      std::size_t(meters["rate evaluations"].calls);
-    summarise_steps(work, log, summary);
-  }
+      summary["periodic_method"]            = run.choice.describe();
+      std::vector<std::string> all_warnings = warnings(run);
+      all_warnings.insert(all_warnings.end(),
+                          run.later_warnings.begin(),
+                          run.later_warnings.end());
+      summary["warnings"] = all_warnings;
+      // Those of the search: observers solve more problems for their summaries.
+      run.evolution.statistics().add_counters(summary);
+      summarise_steps(run, summary);
+    }
 
 
 
-  template <int dim>
-  void
-  write_summary(const Workspace<dim> &work, Summary &summary)
-  {
-    const RunState       &state        = work.state;
-    const PeriodicResult &result       = state.result;
-    const MPI_Comm        communicator = work.setup.body.space.communicator();
-    // The certificate includes problems that observers solved for their
-    // summaries; the counters are only those of the search.
-    const Summary counters = summary["counters"];
-    work.systems.summarise(summary);
-    summary["counters"] = counters;
-    describe_certificate(work.systems.statistics(),
-                         work.setup.scene,
-                         work.output.log);
-    // Tips without K follow tips with tables, which are numbered.
-    for (const Summary &tip : work.setup.tips_without_intensity)
-      summary["crack_tips"].push_back(tip);
-    if (work.start.direct)
-      work.start.direct->add_to(summary);
-    // --resume compares this scene with the current one.
-    summary["scene"]                 = work.output.checkpoints.scene;
-    summary["stress_change"]         = result.stress_change;
-    summary["stress_error_estimate"] = result.stress_error_estimate;
-    summary["periods"]               = result.periods;
-    summary["converged"]             = // null: nothing was marched
-      result.periods > 0 ? Summary(result.converged) : Summary();
-    const double seconds = report_meters(work.output.log, summary);
-    summary["processor_seconds"] =
-      Utilities::MPI::max(state.timer.cpu_time(), communicator);
-    const std::vector<double> peaks = peak_memory_of_ranks(communicator);
-    if (!peaks.empty())
-      {
-        summary["peak_memory_bytes"] =
-          *std::max_element(peaks.begin(), peaks.end());
-        summary["peak_memory_bytes_of_ranks"] = peaks;
-      }
-    if (Utilities::MPI::this_mpi_process(communicator) == 0)
-      write_summary(summary, work.output.directory + "/summary.json");
-    work.output.log.line(Text::format("  Time = %.2f s", seconds));
-  }
+    /** Adds results and cost of the periods to the summary, and writes it.
+     * Collective. @throw FileError */
+    template <int dim>
+    void
+    summarise_results(const Run<dim> &run, Summary &summary)
+    {
+      const RunState        &state        = run.state;
+      const PeriodicResult  &result       = state.result;
+      const MPI_Comm         communicator = run.body.space.communicator();
+      const SolverStatistics statistics   = run.evolution.statistics();
+      run.systems.describe(summary);
+      statistics.add_certificate(summary);
+      describe_certificate(statistics, run.scene, run.log);
+      // Tips without K follow tips with tables, which are numbered.
+      for (const Summary &tip : run.tips_without_intensity)
+        summary["crack_tips"].push_back(tip);
+      if (run.direct)
+        run.direct->add_to(summary);
+      // --resume compares this scene with the current one.
+      summary["scene"]                 = run.checkpoints.scene;
+      summary["stress_change"]         = result.stress_change;
+      summary["stress_error_estimate"] = result.stress_error_estimate;
+      summary["periods"]               = result.periods;
+      summary["converged"]             = // null: nothing was marched
+        result.periods > 0 ? Summary(result.converged) : Summary();
+      const double seconds = report_meters(run.log, summary);
+      summary["processor_seconds"] =
+        Utilities::MPI::max(state.timer.cpu_time(), communicator);
+      const std::vector<double> peaks = peak_memory_of_ranks(communicator);
+      if (!peaks.empty())
+        {
+          summary["peak_memory_bytes"] =
+            *std::max_element(peaks.begin(), peaks.end());
+          summary["peak_memory_bytes_of_ranks"] = peaks;
+        }
+      if (Utilities::MPI::this_mpi_process(communicator) == 0)
+        Crevasse::write_summary(summary,
+                                run.checkpoints.directory + "/summary.json");
+      run.log.line(Text::format("  Time = %.2f s", seconds));
+    }
 
 
 
-  namespace
-  {
     /** Estimated number of further periods of a march at the current rate, in
      * brackets; empty if unknown. */
     std::string
@@ -234,36 +234,34 @@ namespace Crevasse
 
     template <int dim>
     void
-    require_contact_forces(const Workspace<dim> &work, const Summary &summary)
+    require_contact_forces(const Run<dim> &run, const Summary &summary)
     {
-      const RunSetup<dim> &setup   = work.setup;
-      const PeriodicStart &start   = work.start;
-      const auto          &secular = summary["secular"];
-      if (!start.flow || !setup.body.effects.contact.on || //
-          setup.body.effects.varying_viscosity.on ||
+      const auto &secular = summary["secular"];
+      if (!run.flow || !run.body.effects.contact.on || //
+          run.body.effects.varying_viscosity.on ||
           !secular.contains("mean_contact_force_of_last_period"))
         return;
       // The limits exceed the errors of reasonable steps, and the small part of
       // the load that a scheme's quadrature may miss; forces are accurate to
       // rounding.
       constexpr double far = 0.5, part_of_load = 0.05, rounding = 1e-10;
-      const MPI_Comm   communicator = setup.body.space.communicator();
-      const auto       n_nodes      = setup.body.lip.nodes.size();
+      const MPI_Comm   communicator = run.body.space.communicator();
+      const auto       n_nodes      = run.body.lip.nodes.size();
       const double     measured = secular["mean_contact_force_of_last_period"];
       const double     expected =
-        Utilities::MPI::sum(setup.body.lip.force(start.flow->contact_forces),
+        Utilities::MPI::sum(run.body.lip.force(run.flow->contact_forces),
                             communicator);
       const double difference = std::abs(measured - expected);
-      const double error = std::max(rounding, setup.scene.contact.tolerance) *
-                           setup.largest_nodal_force *
+      const double error = std::max(rounding, run.scene.contact.tolerance) *
+                           run.magnitudes.largest_nodal_force *
                            Utilities::MPI::sum(n_nodes, communicator);
       if (difference <= far * std::max(measured, expected) ||
-          difference <= part_of_load * setup.body.law.viscosity_factor(0.) *
-                          start.split.mean_load.l1_norm() ||
+          difference <= part_of_load * run.body.law.viscosity_factor(0.) *
+                          run.split.mean_load.l1_norm() ||
           difference <= error)
         return;
       throw_another_state(
-        start.choice,
+        run.choice,
         Text::Message()
           << "the lip bears " << measured
           << " in the mean of the last period, and " << expected
@@ -340,37 +338,36 @@ namespace Crevasse
 
   template <int dim>
   void
-  conclude(const Workspace<dim> &work, const Summary &summary)
+  Run<dim>::conclude(Summary summary)
   {
-    const PeriodicResult &result = work.state.result;
+    summarise_run(*this, summary);
+    for (const auto &observer : observers)
+      {
+        observer->summarise(summary);
+        observer->finish();
+      }
+    summarise_results(*this, summary);
+
+    const PeriodicResult &result = state.result;
     if (result.periods == 0)
       return;
-    Log                           &log        = work.output.log;
-    const PeriodicStateParameters &parameters = work.setup.scene.periodic_state;
-    if (work.setup.body.effects.viscosity.on)
+    const PeriodicStateParameters &parameters = scene.periodic_state;
+    if (body.effects.viscosity.on)
       require_meaning(summary["certificate"]["stress_rounding"],
-                      work.start.split.is_split,
+                      split.is_split,
                       log);
-    if (work.start.choice.method == PeriodicMethodType::march)
+    if (choice.method == PeriodicMethodType::march)
       report_end_by_change(result, parameters.tolerance, log);
     if (!result.converged && parameters.tolerance > 0.)
-      throw NotPeriodicError(
-        message_of_failure(parameters, work.start.choice, result));
+      throw NotPeriodicError(message_of_failure(parameters, choice, result));
     if (!result.converged)
       return;
-    require_contact_forces(work, summary);
-    require_lip_at_rest(work.setup.scene, work.start.choice, summary);
+    require_contact_forces(*this, summary);
+    require_lip_at_rest(scene, choice, summary);
   }
 
 
 
-#define INSTANTIATE(dim)                                               \
-  template void summarise_run<dim>(const Workspace<dim> &, Summary &); \
-  template void write_summary<dim>(const Workspace<dim> &, Summary &); \
-  template void conclude<dim>(const Workspace<dim> &, const Summary &)
-
-  INSTANTIATE(2);
-  INSTANTIATE(3);
-
-#undef INSTANTIATE
+  template void Run<2>::conclude(Summary);
+  template void Run<3>::conclude(Summary);
 } // namespace Crevasse

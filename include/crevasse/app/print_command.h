@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Crevasse authors
+
+#ifndef crevasse_app_print_command_h
+#define crevasse_app_print_command_h
+
+#include <crevasse/app/command_line.h>
+
+namespace Crevasse
+{
+  /** Prints parameters without MPI, whose start would take longer: a sweep asks
+   * for each point. With mpirun only the first process answers.
+   * @return the exit status. */
+  int
+  show_parameters(const Command &command);
+
+  /** `crevasse evaluate NAME FORMULA T...`: prints the values of a closed form,
+   * a line each, to the Python package.
+   * @return the exit status. */
+  int
+  evaluate(const std::vector<std::string> &words);
+} // namespace Crevasse
+
+#endif

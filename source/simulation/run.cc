@@ -1,0 +1,192 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Crevasse authors
+
+#include <crevasse/simulation/run.h>
+#include <crevasse/time/step_control.h>
+
+namespace Crevasse
+{
+  using namespace dealii;
+
+  namespace
+  {
+    /** Finds them, and sets what depends on them in body and steps. */
+    template <int dim>
+    Magnitudes
+    find_magnitudes(const Scene      &scene,
+                    const Integrator *integrator,
+                    Body<dim>        &body,
+                    StepList         &steps)
+    {
+      // Instants at which a run evaluates formulas, and some between.
+      const std::vector<double> instants = steps.survey_instants(
+        integrator != nullptr ? integrator->properties.quadrature.nodes
+                              : std::vector<double>());
+      body.loads.validate_and_bound(instants);
+      Magnitudes magnitudes;
+      magnitudes.relaxation_times =
+        body.material.relaxation_times(instants, steps.period());
+      magnitudes.largest_thermal_strain =
+        body.material.largest_thermal_strain(instants);
+      magnitudes.largest_nodal_force = largest_load(body, steps);
+      body.lip.negligible_force      = 1e-9 * magnitudes.largest_nodal_force;
+      magnitudes.missed_load         = load_missed_by_steps(body, steps);
+      // Choices depend on the jumps.
+      steps.set_jumps(
+        find_jumps(scene, body, steps, magnitudes.largest_nodal_force));
+      return magnitudes;
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  Run<dim>::Run(const Scene                      &scene,
+                const std::shared_ptr<Mesh<dim>> &mesh,
+                Log                              &log,
+                Checkpoints                      &checkpoints,
+                RunState                         &state)
+    : scene(scene)
+    , log(log)
+    , checkpoints(checkpoints)
+    , state(state)
+    , mesh(mesh)
+    , own_body(scene, mesh)
+    , recovery(body.space,
+               body.points,
+               body.material.materials_of_cells(body.space, body.points))
+    , probes(
+        make_probes(Crevasse::probes(scene), body.space, recovery, body.lip))
+    , steps(scene)
+    , integrator(
+        body.effects.viscosity.on
+          ? make_integrator(scene.time_integration, body.effects.contact.on)
+          : nullptr)
+    , magnitudes(find_magnitudes(scene, integrator.get(), own_body, steps))
+    , choice(choose_periodic_method(scene,
+                                    body,
+                                    steps,
+                                    magnitudes.relaxation_times.largest))
+    , split(choose_secular_split(scene,
+                                 body,
+                                 steps,
+                                 integrator.get(),
+                                 choice.needs_periodic_strain()))
+    , solvers(choose_solvers(scene, body))
+    , systems(scene, body, solvers, steps, magnitudes.largest_nodal_force, log)
+    , evolution(body.strain_operator,
+                body.points,
+                body.loads,
+                systems,
+                scene.time_integration.newton_tolerance)
+    , stress_intensity(body.effects.stress_intensity)
+  {
+    find_tips();
+    const ComparedLip compared = scene.output.elastic_comparison;
+    if (compared != ComparedLip::none)
+      load_factors =
+        Crevasse::load_factors(body, steps, integrator.get(), compared);
+    if (integrator != nullptr)
+      integrator = control_steps(std::move(integrator),
+                                 scene.time_integration,
+                                 steps,
+                                 magnitudes.relaxation_times.smallest);
+  }
+
+
+
+  template <int dim>
+  void
+  Run<dim>::find_tips()
+  {
+    if constexpr (dim == 2)
+      {
+        find_tips_with_intensity();
+        if (!scene.crack_tip.creep_integral)
+          return;
+        for (const CrackTip &tip :
+             Crevasse::crack_tips(body.space.mesh(),
+                                  body.space.roles,
+                                  "[Crack tip] Creep integral = true"))
+          {
+            creep_integrals.push_back(std::make_unique<const CreepIntegral>(
+              scene, body, tip, recovery));
+            require_no_force_at_tip(scene,
+                                    body,
+                                    creep_integrals.back()->region,
+                                    steps);
+          }
+      }
+    else if (stress_intensity.on)
+      crack_front =
+        std::make_unique<const CrackFrontAnalysis>(scene, body, steps);
+  }
+
+
+
+  template <int dim>
+  void
+  Run<dim>::find_tips_with_intensity()
+  {
+    if (!stress_intensity.on)
+      return;
+    try
+      {
+        if constexpr (dim == 2)
+          crack_tips = analyse_crack_tips(
+            scene, body, split, steps, tips_without_intensity);
+        if (!crack_tips.empty())
+          return;
+        stress_intensity.why = tips_without_intensity.front()["no_K"];
+        tips_without_intensity.clear();
+      }
+    catch (const SceneError &error)
+      {
+        if (scene.crack_tip.demands_stress_intensity())
+          throw;
+        stress_intensity.why = error.what();
+      }
+    stress_intensity.on = false;
+  }
+
+
+
+  template <int dim>
+  std::vector<Effects::Effect>
+  Run<dim>::active_effects() const
+  {
+    Effects all          = body.effects;
+    all.secular_flow     = split.effect;
+    all.stress_intensity = stress_intensity;
+    return all.list();
+  }
+
+
+
+  template <int dim>
+  void
+  Run<dim>::prepare()
+  {
+    systems.add(state.solvers);
+    log.line("  solver: " +
+             systems.system_at(0.).contact_solver().description());
+    if (!state.has_tables()) // later meshes: at a checkpoint
+      checkpoints.requests.stop_if_asked();
+    const bool any_periods = scene.periodic_state.maximum_periods > 0;
+    if (any_periods && choice.uses_fourier())
+      balance_harmonics();
+    if (direct && choice.method == PeriodicMethodType::fourier)
+      take_flow_of_samples();
+    else if (any_periods && split.effect.on)
+      find_secular_flow();
+    if (!scene.contact.relaxation_table.empty() && !state.has_tables())
+      write_relaxation_table();
+    if (any_periods) // without periods no tables are begun
+      make_observers();
+  }
+
+
+
+  template class Run<2>;
+  template class Run<3>;
+} // namespace Crevasse

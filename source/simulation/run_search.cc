@@ -1,0 +1,263 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Crevasse authors
+
+#include <crevasse/base/problems.h>
+#include <crevasse/base/text.h>
+#include <crevasse/checkpoint/checkpoint_writer.h>
+#include <crevasse/discretisation/rigid_modes.h>
+#include <crevasse/harmonic_balance/prescribed_motion.h>
+#include <crevasse/model/largest_load.h>
+#include <crevasse/periodic/anderson.h>
+#include <crevasse/periodic/contraction.h>
+#include <crevasse/periodic/march.h>
+#include <crevasse/simulation/run.h>
+
+namespace Crevasse
+{
+  using namespace dealii;
+
+  namespace
+  {
+    /** Largest number of fields of the size of a stress in a checkpoint:
+     * stresses at the instants of a period, viscous strain, rates, and the
+     * memory of Anderson acceleration. */
+    template <int dim>
+    unsigned int
+    n_stresses_of_checkpoint(const Run<dim> &run)
+    {
+      const unsigned int of_anderson =
+        run.choice.method == PeriodicMethodType::anderson
+          ? 2 * (run.scene.periodic_state.anderson_depth + 2)
+          : 0;
+      const unsigned int n_branches = run.body.law.branches.size();
+      return run.steps.n_steps() + 4 + 5 * n_branches +
+             of_anderson * n_branches;
+    }
+
+
+
+    /** Marks the bounds that a displacement touches. */
+    std::vector<bool>
+    touching_bounds(const UnilateralBounds &bounds, const Vector &displacement)
+    {
+      const double      rounding = 1e-10 * displacement.linfty_norm();
+      std::vector<bool> touches;
+      for (unsigned int k = 0; k < bounds.dofs.size(); ++k)
+        touches.push_back(bounds.sign[k] * displacement(bounds.dofs[k]) -
+                            bounds.gap[k] <=
+                          rounding);
+      return touches;
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  void
+  Run<dim>::prepare_evolution()
+  {
+    Vector &r = state.viscous_strain;
+    if (flow && split.is_split)
+      evolution.split_off(*flow);
+    if (integrator != nullptr &&
+        (scene.time_integration.step_control == StepControlType::adaptive ||
+         (integrator->properties.begins_explicitly && body.law.is_power_law())))
+      evolution.set_scales(body.space, instants_of_scale(body, steps));
+    if (state.displacement.size() > 0)
+      systems.system_at(0.).contact_solver().start_from(
+        touching_bounds(unilateral_bounds(body.lip, body.space),
+                        state.displacement));
+    if (direct)
+      r = direct->motion.viscous_strain.front();
+    else if (body.effects.viscosity.on && r.size() == 0)
+      body.points.initialize(r, body.law.branches.size());
+  }
+
+
+
+  template <int dim>
+  PeriodicResult
+  Run<dim>::show_motion(std::vector<Observer *> all, Checkpointer &writer)
+  {
+    PrescribedMotion motion(direct->motion,
+                            direct->rule,
+                            steps.step(0),
+                            RigidParts<dim>(body.space.mesh()).size(),
+                            magnitudes.largest_nodal_force);
+    all.push_back(&motion);
+    ObservedPeriods<dim> periods(
+      evolution, &motion, steps, all, writer, {1, 1e-8});
+    Vector r = direct->motion.viscous_strain.front();
+    periods.begins_another(r);
+    periods.compute(r);
+    periods.finish(r);
+    const double defect = motion.largest_defect();
+    periods.report(defect);
+    log.line("  harmonic balance: states differ from periodic ones by " +
+             Text::from_number(defect, 2) + " at most");
+    const PeriodicResult &result = periods.result();
+    if (!result.converged && !choice.may_fall_back)
+      throw NumericalError(
+        "[Periodic state] Method = fourier: the solution is not periodic: "
+        "its states differ from those of the same viscous strain by " +
+        Text::from_number(defect) +
+        " of their size. Check for moduli or relaxation times that differ by "
+        "many orders of magnitude, or use Method = anderson.");
+    return result;
+  }
+
+
+
+  template <int dim>
+  bool
+  Run<dim>::requires_return() const
+  {
+    // Strain without stress matters to a march if a lip may touch.
+    return body.effects.viscosity.on &&
+           (split.strain_returns || body.law.has_spring()) &&
+           (choice.method != PeriodicMethodType::march ||
+            body.effects.contact.on);
+  }
+
+
+
+  template <int dim>
+  void
+  Run<dim>::accelerate(ObservedPeriods<dim> &periods, const double slowness)
+  {
+    // A power law has no constant fluidity; the norm uses the stiffness.
+    const ViscousCoordinates<dim> coordinates(
+      body.space,
+      body.points,
+      body.material.at(0.),
+      body.law.is_power_law()
+        ? 0.
+        : scene.loads.period *
+            magnitudes.relaxation_times.mean_fluidity_factor);
+    Anderson<dim> method(periods, coordinates, scene.periodic_state, slowness);
+    method.run(state.viscous_strain);
+    const auto &counts = method.counts();
+    if (counts.shortened > 0)
+      log.line("  anderson combined fewer periods in " +
+               std::to_string(counts.shortened) +
+               " steps: the oldest ones led away from the periodic state");
+    if (counts.leaps > 0)
+      log.line("  anderson followed a steady drift by " +
+               std::to_string(counts.leaps) + " steps of two and more periods");
+  }
+
+
+
+  template <int dim>
+  bool
+  Run<dim>::search()
+  {
+    const PeriodicStateParameters &parameters = scene.periodic_state;
+    if (parameters.maximum_periods == 0)
+      return true;
+    const Stopwatch    phase("time stepping");
+    const unsigned int last_period = // on this mesh
+      scene.refinement.readapt_every > 0
+        ? state.result.periods + scene.refinement.readapt_every
+        : std::numeric_limits<unsigned int>::max();
+    std::vector<Observer *> all;
+    for (const auto &observer : observers)
+      all.push_back(observer.get());
+    if (scene.refinement.readapt_every > 0)
+      {
+        estimate = std::make_unique<PeriodEstimate<dim>>(scene,
+                                                         body,
+                                                         steps,
+                                                         last_period);
+        all.push_back(estimate.get());
+      }
+
+    CheckpointWriter<dim>    writer(checkpoints,
+                                 body,
+                                 *mesh,
+                                 n_stresses_of_checkpoint(*this),
+                                 parameters,
+                                 [this](StateArchive &archive) {
+                                   state.solvers = evolution.statistics();
+                                   state.serialize(archive);
+                                 });
+    const SerializationScope of_systems(&writer, [this](StateArchive &archive) {
+      systems.serialize(archive);
+    });
+    prepare_evolution();
+
+    const bool shows = choice.method == PeriodicMethodType::fourier && direct;
+    PeriodicResult before = state.result;
+    if (shows && !state.fourier_failed)
+      {
+        before = show_motion(all, writer);
+        if (before.converged)
+          {
+            state.result = before;
+            return true;
+          }
+        log.line("  anderson takes over");
+        state.fourier_failed = true;
+      }
+    if (shows)
+      choice.method = PeriodicMethodType::anderson;
+
+    const RelaxationTimes   &times    = magnitudes.relaxation_times;
+    const UnilateralBounds   bounds   = unilateral_bounds(body.lip, body.space);
+    const MaterialState<dim> material = body.material.at(0.);
+    const ReturnDefect<dim>  defect{body.points.n_local_points,
+                                   material,
+                                   flow ? &*flow : nullptr,
+                                   split.is_split,
+                                   times.mean_fluidity_factor,
+                                   scene.loads.period,
+                                   bounds};
+    ObservedPeriods<dim>     periods(evolution,
+                                 integrator.get(),
+                                 steps,
+                                 all,
+                                 writer,
+                                 {std::min(parameters.maximum_periods,
+                                           last_period),
+                                      parameters.tolerance});
+    periods.continue_from(before, !state.has_begun());
+    if (requires_return())
+      periods.require_return(defect);
+    // Infinite if no stress relaxes; then stress does not change either.
+    const double slowness =
+      std::isfinite(times.longest_in_mean)
+        ? slowness_of_relaxation(scene.loads.period / times.longest_in_mean)
+        : times.creep_exponent;
+    if (choice.method != PeriodicMethodType::march)
+      accelerate(periods, slowness);
+    else
+      march(periods, slowness, times.creep_exponent, state.viscous_strain);
+
+    state.result    = periods.result();
+    const bool ends = state.result.converged ||
+                      state.result.periods < last_period ||
+                      state.result.periods >= parameters.maximum_periods;
+    periods.finish(state.viscous_strain, ends);
+    if (!ends) // start on the next mesh
+      {
+        state.displacement = evolution.state().displacement;
+        state.solvers      = evolution.statistics();
+      }
+    return ends;
+  }
+
+
+
+#define INSTANTIATE(dim)                                                    \
+  template void           Run<dim>::prepare_evolution();                    \
+  template PeriodicResult Run<dim>::show_motion(std::vector<Observer *>,    \
+                                                Checkpointer &);            \
+  template bool           Run<dim>::requires_return() const;                \
+  template void Run<dim>::accelerate(ObservedPeriods<dim> &, const double); \
+  template bool Run<dim>::search()
+
+  INSTANTIATE(2);
+  INSTANTIATE(3);
+
+#undef INSTANTIATE
+} // namespace Crevasse
