@@ -108,9 +108,9 @@ namespace Crevasse
   {
     if (open_solver == nullptr)
       {
-        const LinearSolverType type         = settings.linear_choice.type;
-        const bool             is_multigrid = traits(type).is_multigrid;
-        const Stopwatch        phase(is_multigrid ? "multigrid set-up"
+        const LinearSolverType type  = settings.linear_choice.type;
+        const bool      is_multigrid = traits(type).has(Trait::is_multigrid);
+        const Stopwatch phase(is_multigrid ? "multigrid set-up"
                                            : "factorisation");
         ++(is_multigrid ? setups.multigrid_setups : setups.factorisations);
         const bool condenses = settings.contact_choice.type ==

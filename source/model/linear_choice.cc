@@ -116,7 +116,7 @@ namespace Crevasse
                               communicator),
           n_unknowns,
           n_ranks);
-      if (traits(choice.type).is_multigrid &&
+      if (traits(choice.type).has(Trait::is_multigrid) &&
           body.space.singular_shapes() != nullptr)
         throw SceneError(
           "[Discretisation] Singular functions: must be 0 on a mesh that is "
@@ -136,7 +136,7 @@ namespace Crevasse
     {
       using Type               = ContactSolverType;
       const bool must_condense = !held_by_contact.empty();
-      if (must_condense && (traits(linear_solver).is_multigrid ||
+      if (must_condense && (traits(linear_solver).has(Trait::is_multigrid) ||
                             (parameters.solver != Type::automatic &&
                              parameters.solver != Type::condensed_active_set)))
         throw SceneError(
@@ -145,7 +145,7 @@ namespace Crevasse
           "condensed active set and [Linear solver] Type = cholesky or mumps, "
           "or hold the body by [Boundary] Clamped, Symmetry or Fixed points.");
       if (parameters.solver == Type::condensed_active_set && n_bounds > 0 &&
-          traits(linear_solver).is_multigrid)
+          traits(linear_solver).has(Trait::is_multigrid))
         throw SceneError(
           "[Contact] Solver = condensed active set needs a factorisation. Set "
           "[Linear solver] Type = cholesky or mumps, or Solver = active set.");
@@ -157,7 +157,7 @@ namespace Crevasse
       // lip, the work on them with its cube (measured: doc/contact_solvers.md).
       constexpr std::size_t largest_lip = 10000;
       const std::string     n           = std::to_string(largest_lip);
-      if (traits(linear_solver).is_multigrid)
+      if (traits(linear_solver).has(Trait::is_multigrid))
         return {Type::active_set,
                 "automatic: the linear solver makes no factor, which "
                 "condensation needs"};

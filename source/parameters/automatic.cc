@@ -82,7 +82,8 @@ namespace Crevasse
     if (scene.discretisation.volumetric_strain == VolumetricStrain::mean)
       return {"Volumetric strain = mean",
               "; use Degree = 2 instead of mean dilatations"};
-    if (const auto type = scene.linear_solver.type; traits(type).is_multigrid)
+    if (const auto type = scene.linear_solver.type;
+        traits(type).has(Trait::is_multigrid))
       return {"[Linear solver] Type = " + name_of(type),
               ": these functions couple all unknowns; use automatic, cholesky "
               "or mumps"};

@@ -205,7 +205,7 @@ namespace Crevasse
                        "Relative tolerance",
                        "must be greater than 0 with Step control = adaptive, "
                        "unless Absolute tolerance is");
-        checker.demand(traits(scheme).estimates_error,
+        checker.demand(traits(scheme).has(Trait::estimates_error),
                        "Scheme",
                        "has no estimate of the error of its steps, which Step "
                        "control = adaptive needs; use heun, exponential, "

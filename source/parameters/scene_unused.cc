@@ -94,15 +94,15 @@ namespace Crevasse
       const std::string of_solver = "Solver = " + name_of(contact.solver);
       const auto       &solver    = traits(contact.solver);
       const auto       &linear    = traits(scene.linear_solver.type);
-      const bool        counts =
-        solver.counts_iterations || !contact.relaxation_table.empty();
+      const bool        counts    = solver.has(Trait::counts_iterations) ||
+                          !contact.relaxation_table.empty();
       const bool varies =
         material_depends_on("t", scene.material) ||
         material_depends_on("theta", scene.material) ||
         (has_thermal_expansion(scene.material) && has_temperature(scene.loads));
       const bool implicit =
         scene.material.viscosity != ViscosityType::none &&
-        traits(scene.time_integration.scheme).keeps_matrices;
+        traits(scene.time_integration.scheme).has(Trait::keeps_matrices);
       return {
         {"Boundary/Gap", !has_contact, no_contact},
         {"Time integration/Newton tolerance",
@@ -110,13 +110,13 @@ namespace Crevasse
          "no stage of creep by a power law is implicit"},
         {"Contact/Solver, Relaxation factor", !has_contact, no_contact},
         {"Time integration/Locate contact events", !has_contact, no_contact},
-        {"Contact/Relaxation factor", !solver.relaxes, of_solver},
+        {"Contact/Relaxation factor", !solver.has(Trait::relaxes), of_solver},
         {"Contact/Maximum iterations", !counts, of_solver},
         {"Linear solver/Tolerance",
-         linear.is_direct,
+         linear.has(Trait::is_direct),
          std::string("Type = ") + linear.name},
         {"Linear solver/Tolerance",
-         !solver.stops_early,
+         !solver.has(Trait::stops_early),
          "[Contact] " + of_solver},
         {"Linear solver/Memory for instants",
          !varies && !implicit,
@@ -153,7 +153,7 @@ namespace Crevasse
          time.scheme != Scheme::heun,
          of_scheme},
         {"Time integration/Order",
-         !traits(time.scheme).is_of_arkode,
+         !traits(time.scheme).has(Trait::is_of_arkode),
          of_scheme},
         {"Time integration/Steps per period",
          control == StepControlType::list,

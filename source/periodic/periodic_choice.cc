@@ -44,7 +44,7 @@ namespace Crevasse
         return choice(
           Method::march,
           "Secular split = off leaves the secular flow in the viscous strain");
-      if (!scheme.flows_by_mean_load)
+      if (!scheme.has(Trait::flows_by_mean_load))
         return choice(Method::march,
                       std::string("the steps of Scheme = ") + scheme.name +
                         " do not reproduce the secular flow");

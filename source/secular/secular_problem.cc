@@ -270,7 +270,7 @@ namespace Crevasse
         ? "the mean load does not vanish: its flow is split off"
         : "the mean load does not vanish: beta is computed, not split off";
     const auto &scheme = traits(scene.time_integration.scheme);
-    if (split.is_split && !scheme.flows_by_mean_load)
+    if (split.is_split && !scheme.has(Trait::flows_by_mean_load))
       throw SceneError(
         std::string("[Time integration] Scheme = ") + scheme.name +
         " with [Periodic state] " +

@@ -290,7 +290,7 @@ namespace Crevasse
                      "values at t = 0, which the tables show at t = %g",
                      scene.loads.period));
     log.line("  periodic state: " + run.choice.describe());
-    if (!traits(run.solvers.contact.type).relaxes)
+    if (!traits(run.solvers.contact.type).has(Trait::relaxes))
       log.line("  linear solver: " + run.solvers.linear.describe());
     if (run.body.effects.contact.on)
       log.line("  contact solver: " + run.solvers.contact.describe());

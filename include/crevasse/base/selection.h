@@ -29,6 +29,21 @@ namespace Crevasse
     const char *name;
   };
 
+  /** Row of a Selection with some traits, a sum of enumerators of Trait. */
+  template <typename Enum, typename Trait>
+  struct ValueWithTraits
+  {
+    Enum         value;
+    const char  *name;
+    unsigned int traits;
+
+    constexpr bool
+    has(const Trait trait) const
+    {
+      return (traits & trait) != 0;
+    }
+  };
+
   /** Row of a Selection for a value, as in traits(scheme).name. */
   template <typename Enum>
   constexpr const auto &

@@ -243,7 +243,7 @@ namespace Crevasse
     bool
     needs_matrix() const
     {
-      return traits(solver).relaxes || !relaxation_table.empty();
+      return traits(solver).has(Trait::relaxes) || !relaxation_table.empty();
     }
 
     void

@@ -18,26 +18,31 @@ namespace Crevasse
     condensed_active_set
   };
 
+  namespace Trait
+  {
+    enum OfContactSolver : unsigned int
+    {
+      relaxes           = 1, ///< needs the entries of the matrix
+      stops_early       = 2, ///< uses [Linear solver] Tolerance
+      counts_iterations = 4  ///< uses Maximum iterations
+    };
+  }
+
   template <>
   struct Selection<ContactSolverType>
   {
-    struct Row
-    {
-      ContactSolverType value;
-      const char       *name;
-      bool              relaxes;           ///< needs the entries of the matrix
-      bool              stops_early;       ///< uses [Linear solver] Tolerance
-      bool              counts_iterations; ///< uses Maximum iterations
-    };
+    using Row = ValueWithTraits<ContactSolverType, Trait::OfContactSolver>;
     static constexpr Row rows[] = {
-      {ContactSolverType::automatic, "automatic", false, true, true},
-      {ContactSolverType::projected_sor, "projected sor", true, false, true},
-      {ContactSolverType::active_set, "active set", false, true, true},
-      {ContactSolverType::condensed_active_set,
-       "condensed active set",
-       false,
-       false,
-       false}};
+      {ContactSolverType::automatic,
+       "automatic",
+       Trait::stops_early | Trait::counts_iterations},
+      {ContactSolverType::projected_sor,
+       "projected sor",
+       Trait::relaxes | Trait::counts_iterations},
+      {ContactSolverType::active_set,
+       "active set",
+       Trait::stops_early | Trait::counts_iterations},
+      {ContactSolverType::condensed_active_set, "condensed active set", 0}};
     static constexpr const char *meaning =
       "Solver of the contact problems: \"condensed active set\" eliminates all "
       "unknowns but those of the lip, \"active set\" iterates on all unknowns, "
@@ -55,22 +60,25 @@ namespace Crevasse
     gmg
   };
 
+  namespace Trait
+  {
+    enum OfLinearSolver : unsigned int
+    {
+      is_direct    = 1,
+      is_multigrid = 2
+    };
+  }
+
   template <>
   struct Selection<LinearSolverType>
   {
-    struct Row
-    {
-      LinearSolverType value;
-      const char      *name;
-      bool             is_direct;
-      bool             is_multigrid;
-    };
+    using Row = ValueWithTraits<LinearSolverType, Trait::OfLinearSolver>;
     static constexpr Row rows[] = {
-      {LinearSolverType::automatic, "automatic", false, false},
-      {LinearSolverType::cholesky, "cholesky", true, false},
-      {LinearSolverType::mumps, "mumps", true, false},
-      {LinearSolverType::amg, "amg", false, true},
-      {LinearSolverType::gmg, "gmg", false, true}};
+      {LinearSolverType::automatic, "automatic", 0},
+      {LinearSolverType::cholesky, "cholesky", Trait::is_direct},
+      {LinearSolverType::mumps, "mumps", Trait::is_direct},
+      {LinearSolverType::amg, "amg", Trait::is_multigrid},
+      {LinearSolverType::gmg, "gmg", Trait::is_multigrid}};
     static constexpr const char *meaning =
       "Solver of the linear systems: factorisation by CHOLMOD on one process "
       "(\"cholesky\") or by MUMPS on several, or conjugate gradients with "
@@ -93,34 +101,52 @@ namespace Crevasse
     automatic
   };
 
+  namespace Trait
+  {
+    enum OfScheme : unsigned int
+    {
+      estimates_error    = 1, ///< estimates errors of steps
+      keeps_matrices     = 2, ///< own matrices of instants
+      flows_by_mean_load = 4, ///< flows as the secular problem
+      is_of_arkode       = 8
+    };
+  }
+
   template <>
   struct Selection<Scheme>
   {
-    struct Row
-    {
-      Scheme      value;
-      const char *name;
-      bool        estimates_error;    ///< estimates errors of steps
-      bool        keeps_matrices;     ///< own matrices of instants
-      bool        flows_by_mean_load; ///< flows as the secular problem
-      bool        is_of_arkode;
-    };
+    using Row                   = ValueWithTraits<Scheme, Trait::OfScheme>;
     static constexpr Row rows[] = {
-      {Scheme::euler, "euler", false, false, true, false},
-      {Scheme::heun, "heun", true, false, true, false},
-      {Scheme::rk4, "rk4", false, false, true, false},
+      {Scheme::euler, "euler", Trait::flows_by_mean_load},
+      {Scheme::heun,
+       "heun",
+       Trait::estimates_error | Trait::flows_by_mean_load},
+      {Scheme::rk4, "rk4", Trait::flows_by_mean_load},
       {Scheme::predictor_corrector,
        "predictor corrector",
-       false,
-       true,
-       false,
-       false},
-      {Scheme::exponential, "exponential", true, true, false, false},
-      {Scheme::sdirk2, "sdirk2", true, true, true, false},
-      {Scheme::trapezoid, "trapezoid", false, true, true, false},
-      {Scheme::arkode_explicit, "arkode explicit", true, false, true, true},
-      {Scheme::arkode_implicit, "arkode implicit", true, true, true, true},
-      {Scheme::automatic, "automatic", true, true, true, false}};
+       Trait::keeps_matrices},
+      {Scheme::exponential,
+       "exponential",
+       Trait::estimates_error | Trait::keeps_matrices},
+      {Scheme::sdirk2,
+       "sdirk2",
+       Trait::estimates_error | Trait::keeps_matrices |
+         Trait::flows_by_mean_load},
+      {Scheme::trapezoid,
+       "trapezoid",
+       Trait::keeps_matrices | Trait::flows_by_mean_load},
+      {Scheme::arkode_explicit,
+       "arkode explicit",
+       Trait::estimates_error | Trait::flows_by_mean_load |
+         Trait::is_of_arkode},
+      {Scheme::arkode_implicit,
+       "arkode implicit",
+       Trait::estimates_error | Trait::keeps_matrices |
+         Trait::flows_by_mean_load | Trait::is_of_arkode},
+      {Scheme::automatic,
+       "automatic",
+       Trait::estimates_error | Trait::keeps_matrices |
+         Trait::flows_by_mean_load}};
     static constexpr const char *meaning =
       "Method for the viscous strain. Explicit, with a limit of the step: "
       "\"euler\", \"heun\" and \"rk4\" of order 1, 2 and 4, and \"predictor "
