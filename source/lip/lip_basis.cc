@@ -32,6 +32,20 @@ namespace Crevasse
 
 
 
+    template <int dim>
+    [[noreturn]] void
+    throw_unmatched(const Point<dim> &centre)
+    {
+      throw SceneError(
+        "[Boundary] Crack: the face at " + Text::from_point(centre) +
+        " has no partner: each face of a crack must lie on a face of the other "
+        "lip. Use a Gmsh file that has the crack as a physical group of faces "
+        "within the body, along which it is cut; or [Boundary] Contact for a "
+        "lip that touches a rigid plane.");
+    }
+
+
+
     /** Unit vector, with components removed that are rounding errors. */
     template <int dim>
     Tensor<1, dim>
@@ -102,7 +116,7 @@ namespace Crevasse
       {
         const LipFace<dim> &face = faces[f], &other = faces[partners[f]];
         if (face.is_crack && (partners[f] == f || !other.is_crack))
-          throw SceneError(describe_unmatched(face.centre));
+          throw_unmatched(face.centre);
         if (face.is_crack && partners[f] < f)
           continue;
         auto &of_face = surroundings.nodes_of_faces.emplace_back();
@@ -111,7 +125,7 @@ namespace Crevasse
             const auto *opposite =
               face.is_crack ? other.node_at(node.point) : nullptr;
             if (face.is_crack && opposite == nullptr)
-              throw SceneError(describe_unmatched(face.centre));
+              throw_unmatched(face.centre);
             Tensor<1, dim>     inward = node.inward;
             const unsigned int number =
               node_number(node,
@@ -349,9 +363,8 @@ namespace Crevasse
     for (const auto &on_face : surroundings.nodes_of_faces)
       for (const unsigned int i : on_face)
         add_edge(on_face.front(), i, graph);
-    const auto &nodes_at = surroundings.nodes_at;
-    for (const auto &[first, i] : nodes_at)
-      add_edge(nodes_at.find(first)->second, i, graph);
+    for (const auto &[first, i] : surroundings.nodes_at)
+      add_edge(surroundings.nodes_at.find(first)->second, i, graph);
     std::vector<unsigned int> numbers(nodes.size());
     boost::connected_components(graph, numbers.data());
     for (unsigned int i = 0; i < nodes.size(); ++i)
@@ -367,10 +380,9 @@ namespace Crevasse
     std::vector<double> all(nodes.size() * dim);
     for (unsigned int i = 0; i < all.size(); ++i)
       for (const unsigned int side : {0, 1})
-        // A node's degrees of freedom are on one rank. At a rigid plane a node
-        // has one side.
+        // A node's degrees of freedom are on one rank. The second side that is
+        // missing at a rigid plane is on none.
         if (const auto first = nodes[i / dim].sides[side];
-            first != numbers::invalid_dof_index &&
             nodal_values.in_local_range(first))
           all[i] += (side == 0 ? 1. : -1.) * nodal_values(first + i % dim);
     Utilities::MPI::sum(all, nodal_values.get_mpi_communicator(), all);

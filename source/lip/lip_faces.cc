@@ -2,7 +2,6 @@
 // Copyright (C) 2026 by the Crevasse authors
 
 #include <crevasse/base/of_all_ranks.h>
-#include <crevasse/base/text.h>
 #include <crevasse/grid/mesh.h>
 #include <crevasse/lip/lip_faces.h>
 
@@ -126,23 +125,8 @@ namespace Crevasse
 
 
 
-  template <int dim>
-  std::string
-  describe_unmatched(const Point<dim> &centre)
-  {
-    return "[Boundary] Crack: the face at " + Text::from_point(centre) +
-           " has no partner: each face of a crack must lie on a face of the "
-           "other lip. Use a Gmsh file that has the crack as a physical group "
-           "of faces within the body, along which it is cut; or [Boundary] "
-           "Contact for a lip that touches a rigid plane.";
-  }
-
-
-
-  template decltype(find_lip_faces<2>)     find_lip_faces<2>;
-  template decltype(find_lip_faces<3>)     find_lip_faces<3>;
-  template decltype(find_partners<2>)      find_partners<2>;
-  template decltype(find_partners<3>)      find_partners<3>;
-  template decltype(describe_unmatched<2>) describe_unmatched<2>;
-  template decltype(describe_unmatched<3>) describe_unmatched<3>;
+  template decltype(find_lip_faces<2>) find_lip_faces<2>;
+  template decltype(find_lip_faces<3>) find_lip_faces<3>;
+  template decltype(find_partners<2>)  find_partners<2>;
+  template decltype(find_partners<3>)  find_partners<3>;
 } // namespace Crevasse

@@ -11,7 +11,6 @@
 #include <deal.II/fe/mapping.h>
 
 #include <array>
-#include <string>
 #include <vector>
 
 namespace Crevasse
@@ -83,11 +82,6 @@ namespace Crevasse
   std::vector<unsigned int>
   find_partners(const std::vector<dealii::Point<dim>> &points,
                 const std::vector<double>             &sizes);
-
-  /** Message for a face without a partner. */
-  template <int dim>
-  std::string
-  describe_unmatched(const dealii::Point<dim> &centre);
 } // namespace Crevasse
 
 #endif
