@@ -6,8 +6,6 @@
 
 #include <deal.II/base/mpi.h>
 
-#include <numeric>
-
 namespace Crevasse
 {
   using namespace dealii;
@@ -32,23 +30,6 @@ namespace Crevasse
     common(largest);
     if (is_loading())
       value = largest;
-  }
-
-
-
-  void
-  StateArchive::part_of_sum(double &value)
-  {
-    std::vector<double> parts =
-      Utilities::MPI::all_gather(communicator(), value);
-    common(parts);
-    if (!is_loading())
-      return;
-    const unsigned int rank = Utilities::MPI::this_mpi_process(communicator());
-    if (has_same_ranks())
-      value = parts[rank];
-    else
-      value = rank == 0 ? std::accumulate(parts.begin(), parts.end(), 0.) : 0.;
   }
 
 

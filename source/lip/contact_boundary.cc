@@ -125,8 +125,7 @@ namespace Crevasse
                                const ContactForces &contact_forces) const
   {
     LipTotals totals;
-    totals.force = Utilities::MPI::sum(force(contact_forces),
-                                       dof_handler.get_communicator());
+    totals.force = force(contact_forces);
     for (const PairState &pair : states(displacement, contact_forces))
       {
         totals.closed_nodes += pair.is_closed ? 1 : 0;
@@ -146,7 +145,7 @@ namespace Crevasse
     double sum = 0.;
     for (unsigned int k = 0; k < nodes.size(); ++k)
       sum += nodes[k].force(contact_forces.normal[k]);
-    return sum;
+    return Utilities::MPI::sum(sum, dof_handler.get_communicator());
   }
 
 

@@ -11,9 +11,9 @@
 #include <crevasse/postprocess/probe_tables.h>
 #include <crevasse/postprocess/slip_while_closed.h>
 #include <crevasse/postprocess/stress_writer.h>
+#include <crevasse/simulation/drift.h>
 #include <crevasse/simulation/elastic_comparison.h>
 #include <crevasse/simulation/run.h>
-#include <crevasse/simulation/secular_motion.h>
 
 namespace Crevasse
 {
@@ -293,9 +293,10 @@ namespace Crevasse
       }
     if (!body.space.roles.crack.empty())
       add(std::make_unique<SlipWhileClosed<dim>>(body, log));
-    const auto motion = add(std::make_unique<SecularMotion<dim>>(*this));
+    const auto drift = add(std::make_unique<Drift<dim>>(*this));
     if (load_factors)
-      add(std::make_unique<ElasticComparison<dim>>(*this, motion->drift()));
+      add(std::make_unique<ElasticComparison<dim>>(*this,
+                                                   drift->of_last_period()));
     if constexpr (dim == 2)
       if (!crack_tips.empty())
         {

@@ -83,10 +83,6 @@ namespace Crevasse
     void
     maximum(double &value);
 
-    /** Serialises a number of each rank, of which only the sum matters. */
-    void
-    part_of_sum(double &value);
-
     /** Serialises a field of displacements or nodal forces (see Space). An
      * empty field stays empty. */
     virtual void

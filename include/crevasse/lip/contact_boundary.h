@@ -116,7 +116,7 @@ namespace Crevasse
     totals(const Vector        &displacement,
            const ContactForces &contact_forces) const;
 
-    /** Force ∫ pressure over the nodes of this rank, with held nodes. */
+    /** Force ∫ pressure on all ranks, with held nodes. Collective. */
     double
     force(const ContactForces &contact_forces) const;
 
