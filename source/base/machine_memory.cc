@@ -3,7 +3,7 @@
 
 #include <crevasse/base/format.h>
 #include <crevasse/base/machine_memory.h>
-#include <crevasse/base/text.h>
+#include <crevasse/base/problems.h>
 
 #include <algorithm>
 #include <fstream>
@@ -54,72 +54,36 @@ namespace Crevasse
 
 
 
-    /** Names of files of a version of Linux's control groups. */
-    struct GroupFiles
-    {
-      const char *folder, *limit, *used, *cache;
-    };
-
-    constexpr GroupFiles version_1 = {"/sys/fs/cgroup/memory",
-                                      "/memory.limit_in_bytes",
-                                      "/memory.usage_in_bytes",
-                                      "total_inactive_file"};
-    constexpr GroupFiles version_2 = {"/sys/fs/cgroup",
-                                      "/memory.max",
-                                      "/memory.current",
-                                      "inactive_file"};
-
-
-
-    /** Memory that the limits of a control group and its parents leave, in
-     * bytes. The cache of files counts as used memory, but Linux frees it on
-     * demand.
-     *
-     * @param path Group, "" for the root. In a container, it may be a path on
-     * the host, of which the container sees the root only. */
+    /** Memory in bytes that the limits of this process' control group and its
+     * parents leave (version 2 of Linux's groups); infinite without a limit.
+     * The cache of files counts as used memory, but Linux frees it on demand.
+     * In a container the path may be one on the host, of which the container
+     * sees the root only. */
     double
-    left_by_groups(const GroupFiles &files, std::string path)
+    left_by_groups()
     {
+      std::ifstream file("/proc/self/cgroup");
+      std::string   path;
+      for (std::string line; std::getline(file, line);)
+        if (line.rfind("0::/", 0) == 0)
+          path = line.substr(3);
       double least = infinite;
       while (true)
         {
-          const std::string folder = files.folder + path;
-          const double      limit  = number_in(folder + files.limit);
-          const double      used   = number_in(folder + files.used);
+          const std::string folder = "/sys/fs/cgroup" + path;
+          const double      limit  = number_in(folder + "/memory.max");
+          const double      used   = number_in(folder + "/memory.current");
           if (limit < infinite && used < infinite)
-            least = std::min(
-              least,
-              std::max(limit - used +
-                         number_in(folder + "/memory.stat", files.cache, 0.),
-                       0.));
+            least = std::min(least,
+                             std::max(limit - used +
+                                        number_in(folder + "/memory.stat",
+                                                  "inactive_file",
+                                                  0.),
+                                      0.));
           if (path.empty())
             return least;
           path.erase(path.rfind('/'));
         }
-    }
-
-
-
-    /** Memory that the control groups of this process leave, in bytes, from
-     * lines "number:controllers:path". */
-    double
-    left_by_groups()
-    {
-      double        least = infinite;
-      std::ifstream groups("/proc/self/cgroup");
-      for (std::string line; std::getline(groups, line);)
-        {
-          const auto parts = Text::split(line, ':');
-          if (parts.size() != 3)
-            continue;
-          const std::string path =
-            parts[2].size() > 1 && parts[2][0] == '/' ? parts[2] : "";
-          if (parts[1].empty())
-            least = std::min(least, left_by_groups(version_2, path));
-          else if (("," + parts[1] + ",").find(",memory,") != std::string::npos)
-            least = std::min(least, left_by_groups(version_1, path));
-        }
-      return least;
     }
 
 
@@ -142,27 +106,44 @@ namespace Crevasse
     {
       return kibibyte * number_in("/proc/self/status", "RssAnon:", 0.);
     }
+
+
+
+    /** Sum of a value over the ranks on this machine. Collective. */
+    double
+    sum_on_machine(const double value, const MPI_Comm communicator)
+    {
+      MPI_Comm machine;
+      MPI_Comm_split_type(
+        communicator, MPI_COMM_TYPE_SHARED, 0, MPI_INFO_NULL, &machine);
+      const double sum = Utilities::MPI::sum(value, machine);
+      MPI_Comm_free(&machine);
+      return sum;
+    }
   } // namespace
 
 
 
-  double
-  sum_on_machine(const double value, const MPI_Comm communicator)
+  void
+  require_memory(const double       bytes,
+                 const MPI_Comm     communicator,
+                 const std::string &what,
+                 const std::string &advice)
   {
-    MPI_Comm machine;
-    MPI_Comm_split_type(
-      communicator, MPI_COMM_TYPE_SHARED, 0, MPI_INFO_NULL, &machine);
-    const double sum = Utilities::MPI::sum(value, machine);
-    MPI_Comm_free(&machine);
-    return sum;
-  }
-
-
-
-  double
-  available_memory(const MPI_Comm communicator)
-  {
-    return free_memory() + sum_on_machine(own_memory(), communicator);
+    constexpr double uncertainty = 1.3; // of estimates: doc/scaling.md
+    const double     needed      = sum_on_machine(bytes, communicator);
+    const double     there =
+      free_memory() + sum_on_machine(own_memory(), communicator);
+    if (Utilities::MPI::max(needed / there, communicator) <= uncertainty)
+      return;
+    throw SceneError(
+      what +
+      Text::format(
+        " needs about %.3g GB of memory, but the machine has %.3g GB "
+        "left. ",
+        1e-9 * Utilities::MPI::max(needed, communicator),
+        1e-9 * Utilities::MPI::min(there, communicator)) +
+      advice);
   }
 
 
@@ -174,11 +155,4 @@ namespace Crevasse
       communicator, kibibyte * number_in("/proc/self/status", "VmHWM:", 0.));
   }
 
-
-
-  std::string
-  gigabytes(const double bytes)
-  {
-    return Text::format("%.3g GB", 1e-9 * bytes);
-  }
 } // namespace Crevasse

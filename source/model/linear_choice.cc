@@ -273,18 +273,13 @@ namespace Crevasse
       (bytes_per_cell * cells.all +
        bytes_of_solver<dim>(solver.type, unknowns, coarsest, degree, n_ranks)) /
         n_ranks;
-    const double all   = sum_on_machine(needed, communicator);
-    const double there = available_memory(communicator);
-    if (Utilities::MPI::max(all / there, communicator) <= memory_uncertainty)
-      return;
-    throw SceneError(
+    require_memory(
+      needed,
+      communicator,
       "[Geometry]: a mesh of about " + Text::from_number(cells.all) +
-      " cells (" + Text::from_number(unknowns) + " unknowns) needs at least " +
-      gigabytes(Utilities::MPI::max(all, communicator)) +
-      " of memory with the linear solver " + solver.describe() +
-      ", but the machine has " +
-      gigabytes(Utilities::MPI::min(there, communicator)) +
-      " left. Use fewer Subdivisions or Refinements; in three dimensions fewer "
+        " cells (" + Text::from_number(unknowns) +
+        " unknowns), with the linear solver " + solver.describe() + ",",
+      "Use fewer Subdivisions or Refinements; in three dimensions fewer "
       "Subdivisions, more Refinements and [Linear solver] Type = gmg; or "
       "processes on more machines.");
   }

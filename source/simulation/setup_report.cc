@@ -3,7 +3,6 @@
 
 #include <crevasse/base/format.h>
 #include <crevasse/base/machine_memory.h>
-#include <crevasse/base/problems.h>
 #include <crevasse/base/text.h>
 #include <crevasse/model/mesh_materials.h>
 #include <crevasse/simulation/setup_report.h>
@@ -101,54 +100,10 @@ namespace Crevasse
 
 
 
-    struct Part
-    {
-      const char *name;
-      double      bytes;
-      const char *advice; ///< if this part is the largest
-    };
-
-
-
-    /** Checks memory: otherwise the run would be killed without a message, or
-     * block the machine.
-     *
-     * @param total bytes on this rank, and @p libraries those of libraries. */
-    void
-    require_enough(const double   total,
-                   const double   libraries,
-                   const Part    &largest,
-                   const double   n_unknowns,
-                   const MPI_Comm communicator)
-    {
-      const double all   = sum_on_machine(total, communicator);
-      const double there = available_memory(communicator);
-      if (Utilities::MPI::max(all / there, communicator) <= memory_uncertainty)
-        return;
-      // Memory of factors shrinks faster than the number of unknowns.
-      const double of_all = sum_on_machine(libraries, communicator);
-      const double fitting =
-        n_unknowns *
-        Utilities::MPI::min(std::max(0., (there - of_all) / (all - of_all)),
-                            communicator);
-      throw SceneError(
-        "The run needs about " +
-        gigabytes(Utilities::MPI::max(all, communicator)) +
-        " of memory, but the machine has " +
-        gigabytes(Utilities::MPI::min(there, communicator)) +
-        " left. Most of it is for the " + largest.name + ": " + largest.advice +
-        ", or use processes on more machines. With these settings about " +
-        std::to_string(static_cast<unsigned long>(fitting)) +
-        " unknowns fit; the mesh has " +
-        std::to_string(static_cast<unsigned long>(n_unknowns)) + ".");
-    }
-
-
-
     /** Logs the peak memory of a run, on the process that needs most, by
      * purpose. Collective.
-     * @throw SceneError, with what would fit, if the processes on a machine
-     * need more than it has left. */
+     * @throw SceneError if the processes on a machine need more than it has
+     * left. */
     template <int dim>
     void
     report_memory(const Run<dim> &run)
@@ -157,41 +112,37 @@ namespace Crevasse
       const MPI_Comm     communicator = space.communicator();
       const unsigned int n_ranks =
         Utilities::MPI::n_mpi_processes(communicator);
-      const Part parts[] = {
+      const std::pair<const char *, double> parts[] = {
         // The memory of libraries is measured with the smallest scene.
-        {"libraries", n_ranks == 1 ? 180e6 : 195e6, "use fewer processes"},
+        {"libraries", n_ranks == 1 ? 180e6 : 195e6},
         {"mesh",
          double(space.mesh().memory_consumption() +
-                space.dof_handler.memory_consumption()),
-         "make it coarser"},
-        {"fields",
-         bytes_of_fields(run),
-         "make the mesh coarser, or lower [Time integration] Steps per period, "
-         "[Periodic state] Anderson depth or the number of [Output] Field "
-         "times"},
-        {"solver",
-         bytes_of_solvers(run, n_ranks),
-         "make the mesh coarser, lower [Linear solver] Memory for instants, or "
-         "use Type = gmg or amg if they are allowed"}};
+                space.dof_handler.memory_consumption())},
+        {"fields", bytes_of_fields(run)},
+        {"solver", bytes_of_solvers(run, n_ranks)}};
       const auto megabytes = [communicator](const double bytes) {
         return std::lround(1e-6 * Utilities::MPI::max(bytes, communicator));
       };
-      double      total   = 0.;
-      const Part *largest = parts;
+      double      total = 0.;
       std::string list;
-      for (const Part &part : parts)
+      for (const auto &[name, bytes] : parts)
         {
-          total += part.bytes;
-          if (part.bytes > largest->bytes)
-            largest = &part;
-          if (const long size = megabytes(part.bytes); size > 0)
-            list += (list.empty() ? ": " : ", ") + std::string(part.name) +
-                    ' ' + std::to_string(size);
+          total += bytes;
+          if (const long size = megabytes(bytes); size > 0)
+            list += (list.empty() ? ": " : ", ") + std::string(name) + ' ' +
+                    std::to_string(size);
         }
-      run.log.line("  memory: about " + std::to_string(megabytes(total)) +
-                   " MB" + (n_ranks > 1 ? " on each process" : "") + list);
-      require_enough(
-        total, parts[0].bytes, *largest, space.n_unknowns(), communicator);
+      list = std::to_string(megabytes(total)) + " MB" +
+             (n_ranks > 1 ? " on each process" : "") + list;
+      run.log.line("  memory: about " + list);
+      require_memory(
+        total,
+        communicator,
+        "The run (" + list + ")",
+        "Make the mesh coarser; lower [Time integration] Steps per period, "
+        "[Periodic state] Anderson depth, [Linear solver] Memory for instants "
+        "or the number of [Output] Field times; use Type = gmg or amg if they "
+        "are allowed, or processes on more machines.");
     }
 
 

@@ -11,23 +11,24 @@
 
 namespace Crevasse
 {
-  /** Sum of a value over the ranks on this machine. Collective. */
-  double
-  sum_on_machine(const double value, const MPI_Comm communicator);
-
-  /** Memory in bytes that the ranks on this machine have and can still get, as
-   * Linux reports it; infinite if unknown. Collective. */
-  double
-  available_memory(const MPI_Comm communicator);
+  /** Checks that the ranks on each machine find the memory that they need: a
+   * run without it would be killed without a message, or block the machine.
+   * Linux reports what is left, also in a control group. Collective.
+   *
+   * @param bytes Estimate of what this rank needs.
+   * @param what Beginning of the message, "The run".
+   * @param advice End of the message: how to need less.
+   * @throw SceneError if there is less memory. */
+  void
+  require_memory(const double       bytes,
+                 const MPI_Comm     communicator,
+                 const std::string &what,
+                 const std::string &advice);
 
   /** Peak resident memory of each rank so far, in bytes; on the first rank
    * only. Collective. */
   std::vector<double>
   peak_memory_of_ranks(const MPI_Comm communicator);
-
-  /** Number of bytes as text, "1.23 GB". */
-  std::string
-  gigabytes(const double bytes);
 } // namespace Crevasse
 
 #endif

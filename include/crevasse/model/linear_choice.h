@@ -29,9 +29,6 @@ namespace Crevasse
   double
   n_unknowns_of_first_mesh(const Body<dim> &body);
 
-  /** Factor by which memory estimates may be wrong (doc/scaling.md). */
-  constexpr double memory_uncertainty = 1.3;
-
   /**
    * Bytes, on all ranks, of a stiffness and its solver: the matrix and its
    * factor, which grows with n log n in the plane and n^(4/3) in space (nested
