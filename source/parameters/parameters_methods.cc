@@ -224,17 +224,6 @@ namespace Crevasse
                       "Number of earlier periods that \"anderson\" combines "
                       "with the last one.",
                       Integer(1));
-    prm.add_parameter(
-      "Anderson damping",
-      anderson_damping,
-      "Damping factor of \"anderson\": fraction of the remaining defect that "
-      "is added to the combination of periods.",
-      number_up_to(1., "greater than 0, at most 1"));
-    prm.add_parameter(
-      "Anderson delay",
-      anderson_delay,
-      "Number of periods that \"anderson\" marches before it combines any.",
-      Integer(0));
     add_selection("Harmonics", harmonics, prm);
   }
 

@@ -178,7 +178,7 @@ namespace Crevasse
          none + ", one period is enough"},
         {"Periodic state/Start from", direct || automatic, of_method},
         {"Periodic state/Harmonics", !harmonics, of_method},
-        {"Periodic state/Anderson depth, Anderson damping, Anderson delay",
+        {"Periodic state/Anderson depth",
          method != PeriodicMethodType::anderson && !automatic,
          of_method},
       };

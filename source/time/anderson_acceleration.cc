@@ -106,13 +106,6 @@ namespace Crevasse
     factors.multiply_with_QT(gamma, last.residual);
     unexplained =
       std::sqrt(std::max(unexplained * unexplained - gamma.norm_sqr(), 0.));
-    if (settings.damping < 1.)
-      {
-        Vector explained = last.residual;
-        factors.multiply_with_Q(explained, gamma);
-        x.add(-(1. - settings.damping), last.residual);
-        x.add(1. - settings.damping, explained);
-      }
     factors.solve(gamma, gamma);
     for (unsigned int i = 0; i < n; ++i)
       x.add(-gamma(i), images[i]);

@@ -172,7 +172,7 @@ namespace Crevasse
   {
     constexpr unsigned int                   most = 100;
     constexpr double                         slow = 0.2;
-    constexpr AndersonAcceleration::Settings combined{4, 1.};
+    constexpr AndersonAcceleration::Settings combined{4};
 
     State &state = stage.state;
     evaluate(stage, right_hand_side);

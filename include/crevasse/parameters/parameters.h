@@ -304,11 +304,9 @@ namespace Crevasse
     unsigned int       maximum_periods = 100;
     /** Estimated error of the stress, relative to its maximum, at which the
      * search ends. 0: all maximum_periods are computed. */
-    double       tolerance        = 1e-6;
-    unsigned int anderson_depth   = 15;
-    double       anderson_damping = 1.;
-    unsigned int anderson_delay   = 0;
-    HarmonicRule harmonics        = HarmonicRule::trapezoid;
+    double       tolerance      = 1e-6;
+    unsigned int anderson_depth = 15;
+    HarmonicRule harmonics      = HarmonicRule::trapezoid;
 
     void
     add_parameters(dealii::ParameterHandler &prm);

@@ -46,11 +46,8 @@ namespace Crevasse
              const double                   slowness)
       : periods(periods)
       , coordinates(coordinates)
-      , parameters(parameters)
       , slowness(slowness)
-      , acceleration({parameters.anderson_depth,
-                      parameters.anderson_damping,
-                      periods.strain_returns()})
+      , acceleration({parameters.anderson_depth, periods.strain_returns()})
     {
     }
 
@@ -90,11 +87,8 @@ namespace Crevasse
           const bool rests =
             number > 0 && last_step <= smallest && last_residual <= smallest;
           next = image;
-          if (number >= parameters.anderson_delay)
-            {
-              acceleration.add(start, image);
-              acceleration.extrapolate(next);
-            }
+          acceleration.add(start, image);
+          acceleration.extrapolate(next);
           last_step = distance(next, start);
           periods.report(rests ? slowness * change : estimated_error(change));
           std::swap(start, next);
@@ -152,7 +146,6 @@ namespace Crevasse
 
     ObservedPeriods<dim>          &periods;
     const ViscousCoordinates<dim> &coordinates;
-    const PeriodicStateParameters &parameters;
     const double                   slowness;
     AndersonAcceleration           acceleration;
 

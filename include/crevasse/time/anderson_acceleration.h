@@ -51,8 +51,7 @@ namespace Crevasse
 
     struct Settings
     {
-      unsigned int depth;   ///< largest number of differences
-      double       damping; ///< damping β in ]0, 1]; 1: none
+      unsigned int depth; ///< largest number of differences
       bool         follows_drift = false;
     };
 

@@ -64,7 +64,7 @@ namespace
   difference_of_iterations(const unsigned int n_before)
   {
     constexpr unsigned int               n_after = 4;
-    const AndersonAcceleration::Settings settings{5, 0.8};
+    const AndersonAcceleration::Settings settings{5};
     AndersonAcceleration whole(settings), left(settings), resumed(settings);
     Vector               x(n_unknowns), y(n_unknowns);
     iterate(whole, x, n_before + n_after);
@@ -83,7 +83,7 @@ namespace
   void
   leaps_are_kept()
   {
-    const AndersonAcceleration::Settings settings{5, 1., true};
+    const AndersonAcceleration::Settings settings{5, true};
     AndersonAcceleration                 left(settings), resumed(settings);
     Vector                               x(1), image(1);
     for (unsigned int k = 0; k < 6; ++k)
