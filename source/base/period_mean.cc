@@ -4,11 +4,10 @@
 #include <crevasse/base/period_mean.h>
 
 #include <algorithm>
+#include <boost/math/quadrature/gauss_kronrod.hpp>
 #include <cmath>
-#include <gsl/gsl_errno.h>
-#include <gsl/gsl_integration.h>
 #include <limits>
-#include <memory>
+#include <queue>
 
 namespace Crevasse
 {
@@ -18,11 +17,25 @@ namespace Crevasse
 
 
 
-    double
-    call(const double t, void *function)
+    /** Part of a period, with the integral over it and the integral's error. */
+    struct Part
     {
-      return (*static_cast<const Function *>(function))(t);
-    }
+      double error, begin, end, integral;
+
+      Part(const Function &f, const double begin, const double end)
+        : begin(begin)
+        , end(end)
+        , integral(boost::math::quadrature::gauss_kronrod<double, 15>::
+                     integrate(f, begin, end, 0, 0., &error))
+      {
+      }
+
+      bool
+      operator<(const Part &other) const
+      {
+        return error < other.error;
+      }
+    };
 
 
 
@@ -33,31 +46,26 @@ namespace Crevasse
     double
     adaptive_mean(const Function &f, const double period, const double size)
     {
-      constexpr unsigned int n_parts = 128; // fewer parts may miss a pulse
-      constexpr std::size_t  most_intervals = 200;
-      constexpr double relative = 2e-14; // least tolerance that GSL accepts
-      constexpr double rounding = std::numeric_limits<double>::epsilon();
-      gsl_set_error_handler_off(); // any reached accuracy is enough
-      const std::unique_ptr<gsl_integration_workspace,
-                            void (*)(gsl_integration_workspace *)>
-                   workspace(gsl_integration_workspace_alloc(most_intervals),
-                  gsl_integration_workspace_free);
-      gsl_function integrand{call, const_cast<Function *>(&f)};
-      double       sum = 0.;
-      for (unsigned int k = 0; k < n_parts; ++k)
+      constexpr unsigned int n_sections = 128; // fewer may miss a pulse
+      constexpr std::size_t  most_parts = 200;
+      const double           rounding =
+        std::numeric_limits<double>::epsilon() * size * period / n_sections;
+      double sum = 0.;
+      for (unsigned int k = 0; k < n_sections; ++k)
         {
-          double integral, error;
-          gsl_integration_qag(&integrand,
-                              period * k / n_parts,
-                              period * (k + 1) / n_parts,
-                              rounding * size * period / n_parts,
-                              relative,
-                              most_intervals,
-                              GSL_INTEG_GAUSS15,
-                              workspace.get(),
-                              &integral,
-                              &error);
-          sum += integral;
+          std::priority_queue<Part> parts;
+          parts.emplace(f,
+                        period * k / n_sections,
+                        period * (k + 1) / n_sections);
+          while (parts.top().error > rounding && parts.size() < most_parts)
+            {
+              const double begin = parts.top().begin, end = parts.top().end;
+              parts.pop();
+              parts.emplace(f, begin, (begin + end) / 2.);
+              parts.emplace(f, (begin + end) / 2., end);
+            }
+          for (; !parts.empty(); parts.pop())
+            sum += parts.top().integral;
         }
       return sum / period;
     }
