@@ -154,10 +154,11 @@ namespace Crevasse
   parse_temperature(const std::string &text)
   {
     const std::string suffix = Text::suffix(text);
-    if (suffix == ".pvd" || suffix == ".vtu" || suffix == ".pvtu")
+    if (suffix == ".csv" || suffix == ".pvd" || suffix == ".vtu" ||
+        suffix == ".pvtu")
       throw SceneError(
-        "fields of other programs must be converted first: \"crevasse "
-        "temperature " +
+        "tables and fields of other programs must be converted first: "
+        "\"crevasse temperature " +
         text + " --output temperature.h5\"");
     if (Temperature<2>::is_file(text))
       return {};
@@ -170,7 +171,7 @@ namespace Crevasse
     catch (const SceneError &error)
       {
         throw SceneError(std::string(error.what()) +
-                         " (names of files end in .csv or .h5)");
+                         " (names of files end in .h5)");
       }
   }
 

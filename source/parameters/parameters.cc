@@ -276,11 +276,9 @@ namespace Crevasse
       "Temperature",
       "Difference theta from the temperature without thermal strain, in units "
       "of temperature. It strains the body by Thermal expansion, and formulas "
-      "of the material may depend on it. Allowed: a formula of x, y, z, t; a "
-      ".csv file with the columns t, x, y, theta (t, x, y, z, theta in three "
-      "dimensions) on a rectangular grid of points, the same at each instant; "
-      "or an .h5 file that \"crevasse temperature\" makes from the fields of "
-      "another program",
+      "of the material may depend on it. Allowed: a formula of x, y, z, t; or "
+      "an .h5 file that \"crevasse temperature\" makes from a table or from "
+      "the fields of another program",
       prm);
     body_force.add_parameter("Body force",
                              "Force per volume, in units of stress / length" +

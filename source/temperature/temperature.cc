@@ -4,7 +4,6 @@
 #include <crevasse/base/text.h>
 #include <crevasse/temperature/temperature.h>
 #include <crevasse/temperature/temperature_series.h>
-#include <crevasse/temperature/temperature_table.h>
 
 namespace Crevasse
 {
@@ -14,10 +13,26 @@ namespace Crevasse
                                 const double                     period)
     : formula(formula)
   {
-    if (!formula && Text::suffix(file_name) == ".csv")
-      file = std::make_unique<TemperatureTable<dim>>(file_name, period);
-    else if (!formula)
-      file = std::make_unique<TemperatureSeries<dim>>(file_name, period);
+    if (!formula)
+      file = std::make_shared<const TemperatureSeries<dim>>(file_name, period);
+  }
+
+
+
+  template <int dim>
+  double
+  Temperature<dim>::value(const dealii::Point<dim> &point, const double t) const
+  {
+    return formula ? formula->value(point, t) : file->value(point, t);
+  }
+
+
+
+  template <int dim>
+  bool
+  Temperature<dim>::depends_on_time() const
+  {
+    return formula ? formula->depends_on_time() : file->n_instants() > 1;
   }
 
 
@@ -26,8 +41,7 @@ namespace Crevasse
   bool
   Temperature<dim>::is_file(const std::string &source)
   {
-    const std::string suffix = Text::suffix(source);
-    return suffix == ".csv" || suffix == ".h5";
+    return Text::suffix(source) == ".h5";
   }
 
 

@@ -172,6 +172,7 @@ def linear(points):
 
 
 FORMULA = "100*(1 + 2*x - y)"
+TABLE = "t,x,y,theta\n0,0,0,1\n0,1,0,1\n0,0,1,1\n0,1,1,1\n"
 
 
 # --- tests --------------------------------------------------------------------
@@ -283,7 +284,7 @@ def test_instants():
                     table.write(f"{t},{x},{y},{value!r}\n")
     write_collection("series.pvd", instants[::-1])
     convert("series.pvd")
-    one = with_temperature(BODY, "table", "table.csv")
+    one = with_temperature(BODY, "table", convert("table.csv"))
     other = with_temperature(BODY, "series", "series.h5")
     check_equal(one, other, "series against table")
     # Below the directory of the scene, and from used.prm.
@@ -386,6 +387,15 @@ def test_refused_by_script():
 
     script_refuses("No such file", "missing.vtu", expected=4)
     script_refuses("No such file", "missing.pvd", expected=4)
+    for message, rows in (("first line", "time,x,y,theta\n0,0,0,1\n"),
+                          ("first line", "t,x,y,theta\n0,0,0,0,1\n"),
+                          ("first line", ""), ("could not convert",
+                                               "t,x,y,theta\n0,0,0,warm\n"),
+                          ("rectangular grid", TABLE.replace("0,1,0,1\n", "")),
+                          ("rectangular grid", TABLE + "0,0,0,2\n"),
+                          ("no cells", "t,x,y,theta\n0,0,0,1\n0,1,0,1\n")):
+        pathlib.Path("bad.csv").write_text(rows)
+        script_refuses(message, "bad.csv")
     bad("scalars: a, b", a=values, b=values)
     bad("others: u", u=points)
     bad("temperatures are not finite", theta=values * math.nan)

@@ -5,14 +5,17 @@
 #define crevasse_temperature_temperature_h
 
 #include <crevasse/base/expression.h>
-#include <crevasse/temperature/temperature_file.h>
 
+#include <memory>
 #include <optional>
 
 namespace Crevasse
 {
-  /** Change of temperature θ(x,t), given by a formula or by a file: a table
-   * (.csv), or fields that another program computed (.h5). */
+  template <int dim>
+  class TemperatureSeries;
+
+  /** Change of temperature θ(x,t), given by a formula or by a file of fields
+   * that another program computed (.h5). */
   template <int dim>
   class Temperature
   {
@@ -25,12 +28,9 @@ namespace Crevasse
                 const double                     period);
 
     /** Change of temperature. @throw SceneError if the point is outside the
-     * grid or mesh of the file, or if a formula has no finite value. */
+     * mesh of the file, or if a formula has no finite value. */
     double
-    value(const dealii::Point<dim> &point, const double t) const
-    {
-      return file != nullptr ? file->value(point, t) : formula->value(point, t);
-    }
+    value(const dealii::Point<dim> &point, const double t) const;
 
     bool
     is_zero() const
@@ -45,11 +45,7 @@ namespace Crevasse
     }
 
     bool
-    depends_on_time() const
-    {
-      return file != nullptr ? file->n_instants() > 1
-                             : formula->depends_on_time();
-    }
+    depends_on_time() const;
 
     /** Whether [Loads] Temperature names a file. */
     static bool
@@ -57,7 +53,7 @@ namespace Crevasse
 
   private:
     std::optional<Expression> formula; ///< formula, unless a file is used
-    std::unique_ptr<const TemperatureFile<dim>> file;
+    std::shared_ptr<const TemperatureSeries<dim>> file;
   };
 } // namespace Crevasse
 

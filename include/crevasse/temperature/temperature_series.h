@@ -4,9 +4,11 @@
 #ifndef crevasse_temperature_temperature_series_h
 #define crevasse_temperature_temperature_series_h
 
+#include <crevasse/base/problems.h>
+#include <crevasse/base/text.h>
 #include <crevasse/temperature/simplex_locator.h>
-#include <crevasse/temperature/temperature_file.h>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <hdf5.h>
@@ -14,6 +16,13 @@
 
 namespace Crevasse
 {
+  /** Reports a wrong file of temperature. @throw SceneError */
+  [[noreturn]] inline void
+  refuse_temperature(const std::string &file_name, const std::string &reason)
+  {
+    throw SceneError("[Loads] Temperature = " + file_name + ": " + reason);
+  }
+
   /** Reads arrays of numbers from an HDF5 file. deal.II's classes check nothing
    * in release mode. */
   class NumberFile
@@ -91,7 +100,8 @@ namespace Crevasse
 
   /**
    * Change of temperature that another program computed on triangles
-   * (tetrahedra), as `crevasse temperature` writes it to an HDF5 file:
+   * (tetrahedra) at instants of the period, as `crevasse temperature` writes it
+   * to an HDF5 file; linear in time between instants, and periodic:
    *
    * | name           | shape            |                                   |
    * |----------------|------------------|-----------------------------------|
@@ -102,27 +112,33 @@ namespace Crevasse
    * | theta_[instant]| points           | change of temperature             |
    */
   template <int dim>
-  class TemperatureSeries : public TemperatureFile<dim>
+  class TemperatureSeries
   {
   public:
     /** Reads the file. @throw SceneError with the file and its fault. */
     TemperatureSeries(const std::string &file_name, const double period)
-      : TemperatureFile<dim>(file_name, period)
+      : file_name(file_name)
+      , period(period)
     {
       const NumberFile file(file_name);
-      const auto       times = file.read("times", 1);
-      if (std::adjacent_find(times.begin(),
-                             times.end(),
-                             std::greater_equal<>()) != times.end())
+      instants = file.read("times", 1);
+      if (std::adjacent_find(instants.begin(),
+                             instants.end(),
+                             std::greater_equal<>()) != instants.end())
         file.throw_error("its dataset \"times\" must be ascending.");
-      this->set_instants(times);
+      if (instants.front() < 0. || instants.back() > period)
+        file.throw_error(
+          "its instants go from " + Text::from_number(instants.front()) +
+          " to " + Text::from_number(instants.back()) +
+          "; they must be within the period, from 0 to [Loads] Period = " +
+          Text::from_number(period) + ".");
 
       const auto mesh_of = file.read("mesh_of", 1);
-      if (mesh_of.size() != times.size())
+      if (mesh_of.size() != instants.size())
         file.throw_error(
           "its dataset \"mesh_of\" must have as many entries as \"times\".");
       std::map<double, std::shared_ptr<const SimplexLocator<dim>>> meshes;
-      for (std::size_t i = 0; i < times.size(); ++i)
+      for (std::size_t i = 0; i < instants.size(); ++i)
         {
           auto &locator = meshes[mesh_of[i]];
           if (locator == nullptr)
@@ -136,6 +152,32 @@ namespace Crevasse
                              std::to_string(locator->n_vertices()) +
                              " points.");
         }
+    }
+
+
+    /** Change of temperature. @throw SceneError outside grid or mesh. */
+    double
+    value(const dealii::Point<dim> &point, const double t) const
+    {
+      // The first instant of the next period follows the last instant.
+      const std::size_t next =
+        std::upper_bound(instants.begin(), instants.end(), t) -
+        instants.begin();
+      const std::size_t n      = instants.size();
+      const std::size_t before = (next + n - 1) % n, after = next % n;
+      const double      begin  = instants[before] - (next == 0 ? period : 0.);
+      const double      end    = instants[after] + (next == n ? period : 0.);
+      const double      weight = end > begin ? (t - begin) / (end - begin) : 0.;
+      if (before == after || weight == 0.)
+        return value_at_instant(point, before);
+      return (1. - weight) * value_at_instant(point, before) +
+             weight * value_at_instant(point, after);
+    }
+
+    std::size_t
+    n_instants() const
+    {
+      return instants.size();
     }
 
   private:
@@ -174,13 +216,13 @@ namespace Crevasse
     /** Change of temperature. @throw SceneError if a point is off the mesh. */
     double
     value_at_instant(const dealii::Point<dim> &point,
-                     const std::size_t         instant) const override
+                     const std::size_t         instant) const
     {
       const Snapshot &snapshot = snapshots[instant];
       double          value    = 0.;
       if (!snapshot.locator->interpolate(point, snapshot.values, value))
         refuse_temperature(
-          this->file_name,
+          file_name,
           "the body has the point " + Text::from_point(point) +
             ", which lies outside the mesh" +
             (snapshots.size() == 1
@@ -194,6 +236,9 @@ namespace Crevasse
       return value;
     }
 
+    const std::string     file_name;
+    const double          period;
+    std::vector<double>   instants;
     std::vector<Snapshot> snapshots; ///< fields for each instant
   };
 } // namespace Crevasse

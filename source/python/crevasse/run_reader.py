@@ -35,11 +35,8 @@ COLUMNS = {"probe_": ("t", "u_1", "s_11"),
            "periods.": ("period", "t_end", "stress_change",
                         "stress_error_estimate"),
            "relaxation.": ("relaxation_factor", "iterations")}
-EFFECT = re.compile(r"^  (\S.*?)\s+(on|off) +\((.*)\)$", re.M)
 MATERIALS = re.compile(r"^  materials: (.*)$", re.M)
 MATERIAL = re.compile(r"(\d+) \((.+?)\): \d+ cells?(?:, |$)")
-MESH = re.compile(r"^  mesh: (\d+) cells, (\d+) unknowns, (\d+) quadrature "
-                  r"points(?:, (\d+) contact nodes)?", re.M)
 
 
 class Run:
@@ -101,23 +98,13 @@ class Run:
                 in MATERIAL.findall(text[1] if text else "")}
 
     def read_summary(self):
-        """Reads the summary, or else what the log has of it, and whether there is one.
-        A run that is resumed removes it at any moment."""
+        """Reads the summary, and whether there is one. A run that is resumed removes
+        it at any moment."""
         path = self.directory / "summary.json"
         summary, troubles = summary_file.read(path)
         for trouble in troubles or ():
             self.note(path, trouble)
-        return troubles is not None, summary or self.summary_of_log()
-
-    def summary_of_log(self):
-        """Effects and sizes of a run without summary, from its log."""
-        summary = {"effects": {name: {"on": state == "on", "why": why} for
-                               name, state, why in EFFECT.findall(self.log)}}
-        if sizes := MESH.search(self.log):
-            names = "cells", "unknowns", "quadrature_points", "contact_nodes"
-            summary |= {name: int(size or 0)
-                        for name, size in zip(names, sizes.groups())}
-        return summary
+        return troubles is not None, summary or {}
 
     @property
     def dimension(self):

@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 # Copyright (C) 2026 by the Crevasse authors
 
-"""crevasse temperature: converts temperatures that another program computed into
-the one file that [Loads] Temperature reads (temperature/temperature_series.h has
-its format). Reads .pvd, .pvtu and series in .xdmf, and every format of meshio."""
+"""crevasse temperature: converts temperatures that another program computed, or a
+table, into the one file that [Loads] Temperature reads (its format is described in
+temperature/temperature_series.h). Reads .pvd, .pvtu, series in .xdmf, .csv, and
+every format of meshio."""
 
 import argparse
 import os
@@ -11,6 +12,7 @@ import pathlib
 import re
 import sys
 import tempfile
+import types
 import xml.etree.ElementTree
 
 import h5py
@@ -60,8 +62,10 @@ def parse(words):
     parser = argparse.ArgumentParser(
         prog="crevasse temperature", description="Converts temperatures that "
         "another program computed into a file for [Loads] Temperature.")
-    parser.add_argument("fields", help="a .pvd, .pvtu or .xdmf file, or, for one "
-                        "instant, any other file that meshio reads")
+    parser.add_argument("fields", help="a .pvd, .pvtu or .xdmf file; a .csv table "
+                        "with the columns t, x, y[, z], theta and a row for each "
+                        "point of a rectangular grid at each instant; or any other "
+                        "that meshio reads, for one instant")
     parser.add_argument("--output", "-o", required=True, metavar="FILE.h5")
     parser.add_argument("--array", help="name of the scalar at the points (theta, "
                         "temperature or T, or the only scalar)")
@@ -130,6 +134,8 @@ def instants(name):
                                          for field in read(file)]
     elif suffix in (".xdmf", ".xmf"):
         yield from xdmf_series(name)
+    elif suffix == ".csv":
+        yield from table(name)
     else:
         yield 0., name, read(name)
 
@@ -182,6 +188,35 @@ def xdmf_series(name):
     points, cells, steps = by_meshio(name, read_all)
     for time, data in sorted(steps, key=lambda step: step[0]):
         yield time, name, [(points, cells, data)]
+
+
+def table(name):
+    """The instants of a table on a rectangular grid, whose rows have any order."""
+    try:
+        with open(name) as file:
+            header = file.readline().replace(" ", "").strip()
+            rows = numpy.loadtxt(file, delimiter=",", ndmin=2)
+    except ValueError as error:
+        raise Mistake(f"{name}: {error}") from None
+    columns = header.split(",")
+    if header not in ("t,x,y,theta", "t,x,y,z,theta") or (
+            rows.shape[1] != len(columns)):
+        raise Mistake(f"{name}: its first line must be t,x,y,theta or t,x,y,z,theta, "
+                      "and the others as many numbers.")
+    _, order = numpy.unique(rows[:, :-1], axis=0, return_index=True)
+    sizes = [len(numpy.unique(column)) for column in rows.T[:-1]]
+    if not len(order) == len(rows) == numpy.prod(sizes):
+        raise Mistake(f"{name}: its rows are not the points of a rectangular grid, "
+                      "the same at each instant.")
+    numbers = numpy.arange(numpy.prod(sizes[1:])).reshape(sizes[1:])
+    cells = [numbers[tuple(slice(corner >> d & 1, n - 1 + (corner >> d & 1))
+                           for d, n in enumerate(numbers.shape))].ravel()
+             for corner in range(1 << numbers.ndim)]
+    block = types.SimpleNamespace(type="pixel" if numbers.ndim == 2 else "voxel",
+                                  data=numpy.stack(cells, 1))
+    for of_instant in rows[order].reshape(sizes[0], -1, len(columns)):
+        yield of_instant[0, 0], name, [(of_instant[:, 1:-1], [block],
+                                        {"theta": of_instant[:, -1]})]
 
 
 def by_meshio(name, reader):
