@@ -204,7 +204,7 @@ class Program:
                   "refused" if call.status > 0 and not (folder / "used.prm").exists() else
                   "not converged" if summary.get("converged") is False else "failed")
         return Outcome(status, message.replace(" and continue by --resume", ""),
-                       costs_in(summary), call.status, warnings_in(folder))
+                       costs_in(summary), call.status, warnings_in(summary))
 
 
 @dataclasses.dataclass
@@ -261,14 +261,10 @@ def message_of(call):
     return message.removeprefix("crevasse: ")
 
 
-def warnings_in(folder):
-    """Warnings of a run from its log, except that [Output] Field times is not used: the
-    package itself sets Fields = none."""
-    try:
-        log = (folder / "log.txt").read_text(errors="replace")
-    except OSError:
-        return []
-    return [text for text in dict.fromkeys(re.findall(r"^  warning: (.*)$", log, re.M))
+def warnings_in(summary):
+    """Warnings of a run, except that [Output] Field times is not used: the package
+    itself sets Fields = none."""
+    return [text for text in summary.get("warnings", ())
             if not text.startswith("[Output] Field times")]
 
 
