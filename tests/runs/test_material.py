@@ -325,7 +325,7 @@ REFUSED = [
     (["Material/Viscosity time factor=0"],
      ["Viscosity time factor", "must be greater than 0"]),
     (["Material/Viscosity time factor=1 + x"],
-     ["Viscosity time factor", '"x"', "Known are t, pi"]),
+     ["Viscosity time factor", '"x"', "Known names: t, pi"]),
     (["Material/Stiffness time factor=1 +* t"], ["Stiffness time factor"]),
     (["Material/Thermal expansion=1, 2"],
      ["Thermal expansion", "must have 1, 3 or 4 components"]),
