@@ -228,8 +228,8 @@ def test_no_error():
     check([row["instants:probe_top/u"] for row in rows] == ["1", "1"]
           and [row["error:probe_top/u"] for row in rows] == ["", ""]
           and rows[1]["error:stress"] == "", "t = 0 alone, and another mesh")
-    check("no instant in common with the reference but t = 0" in markdown and
-          "not the mesh" in markdown, markdown)
+    check("only the instant t = 0 is common with the reference" in markdown and
+          "different quadrature points" in markdown, markdown)
 
 
 def test_numbers_are_no_texts():

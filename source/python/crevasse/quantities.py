@@ -69,10 +69,10 @@ def common_instants(one, other, period):
     fewer = min(len(one), len(other))
     objection = ""
     if not rows or one[rows[-1][0]] <= tolerance:
-        objection = "only the instant t = 0 in common with the reference"
+        objection = "only the instant t = 0 is common with the reference"
     # One of four, or ten a period.
     elif 4 * len(rows) < fewer and len(rows) < 10 * one[rows[-1][0]] / period:
-        objection = (f"only {len(rows)} of {fewer} instants in common with the "
+        objection = (f"only {len(rows)} of {fewer} instants are common with the "
                      "reference: use multiples of the number of steps, or name "
                      "instants in [Time integration] Steps")
     return rows, objection
