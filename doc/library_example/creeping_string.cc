@@ -125,7 +125,7 @@ main(int argc, char **argv)
   const dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
 
   String               string;
-  AndersonAcceleration acceleration({5, 1.});
+  AndersonAcceleration acceleration({5});
   Vector               r(n_nodes);
   for (unsigned int period = 1; period <= 100; ++period)
     {

@@ -38,11 +38,11 @@ def test_not_periodic():
     called periodic, for the lip is to touch in the tenth."""
     for settings, words in (
             ([], "the lip bears"),
-            (["Periodic state/Secular split=off"], "goes on to close"),
+            (["Periodic state/Secular split=off"], "continues to close"),
             (["Material/Viscosity time factor=if(t < 30, 1, 1.1)"],
-             "goes on to close"),
+             "continues to close"),
             (["Material/Relaxation time=if(t < 30, 60, 61)"],
-             "goes on to close")):
+             "continues to close")):
         results = compute("late_closing", ["Periodic state/Tolerance=1e-6",
                                            *settings], 3)
         check(results.summary["periods"] < 9, "it ends before it touches")
