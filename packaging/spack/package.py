@@ -19,7 +19,7 @@ class Crevasse(CMakePackage):
     depends_on("cxx", type="build")
     depends_on("cmake@3.25:", type="build")
     depends_on("ninja", type="build")
-    depends_on("dealii@9.4:+mpi+p4est+trilinos+petsc+sundials+muparser+gmsh+hdf5+gsl")
+    depends_on("dealii@9.4:+mpi+p4est+trilinos+petsc+sundials+muparser+gmsh+hdf5")
     depends_on("trilinos+ml")
     depends_on("suite-sparse+umfpack+cholmod")
     depends_on("mumps+mpi+complex+double")

@@ -20,7 +20,7 @@ namespace Crevasse
    * G(x) − x of the last points and the differences ΔF, ΔG of neighbours among
    * them,
    *
-   *     γ = argmin |f − ΔF γ|,       x ← G(x) − ΔG γ − (1−β)(f − ΔF γ)
+   *     γ = argmin |f − ΔF γ|,       x ← G(x) − ΔG γ
    *
    * in the Euclidean norm. Differences that depend on newer ones, within
    * rounding or the accuracy of G, are left out: their coefficients would be
