@@ -7,6 +7,7 @@
 #include <crevasse/contact/projected_sor.h>
 #include <crevasse/linear/gmg_cg.h>
 #include <crevasse/linear/matrix_operator.h>
+#include <crevasse/linear/operator_check.h>
 #include <crevasse/model/contact_system.h>
 
 namespace Crevasse
@@ -37,6 +38,7 @@ namespace Crevasse
           levels = std::make_shared<const MultigridLevels<dim>>(space, points);
         auto A =
           std::make_unique<StiffnessOperator<dim>>(space, points, stiffness);
+        require_same_product(*A, space, points, stiffness);
         open_solver =
           std::make_unique<GmgCg<dim>>(levels, *A, stiffness, bounds.dofs);
         linear_operator = std::move(A);

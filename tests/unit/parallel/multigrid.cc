@@ -13,6 +13,7 @@
 #include <crevasse/linear/gmg_cg.h>
 #include <crevasse/linear/matrix_operator.h>
 #include <crevasse/linear/mumps.h>
+#include <crevasse/linear/operator_check.h>
 
 #include <deal.II/grid/grid_generator.h>
 #include <deal.II/grid/grid_tools.h>
@@ -92,6 +93,7 @@ namespace
     Vector                       expected(v), result(v);
     multiply(matrix, expected, v);
     A.vmult(result, v);
+    require_same_product(A, block.space, block.points, stiffness);
 
     // Where no hanging node adds to it.
     double of_diagonal = 0.;
@@ -137,6 +139,24 @@ namespace
     return mesh;
   }
 
+  /** Whether the program refuses A of such a stiffness and mesh. */
+  bool
+  is_refused(const StiffnessOperator<2>        &A,
+             const Space<2>                    &space,
+             const QuadratureField<2>          &points,
+             const PointValues<VoigtMatrix<2>> &stiffness)
+  {
+    try
+      {
+        require_same_product(A, space, points, stiffness);
+      }
+    catch (const NumericalError &)
+      {
+        return true;
+      }
+    return false;
+  }
+
   /** x → x + a x². */
   void
   stretch(Mesh<2> &mesh, const double a)
@@ -148,10 +168,9 @@ namespace
       mesh);
   }
 
-  /** Compares the product with a matrix where the widths of cells are equal up
-   * to more than rounding. */
+  /** What the program asks of A before it solves with it. */
   void
-  check_stretched_cells()
+  check_that_errors_are_found()
   {
     const auto mesh = half_refined_square();
     stretch(*mesh, 1e-8);
@@ -173,6 +192,15 @@ namespace
     check_below("Widths of cells differ by 1e-8: product with A",
                 relative_difference(result, expected),
                 1e-12);
+
+    check("A is not refused", !is_refused(A, space, points, stiffness));
+    check("An error of 1e-9 in the product is found",
+          is_refused(
+            A, space, points, PointValues<VoigtMatrix<2>>((1. + 1e-9) * K)));
+    // D, too, has the former geometry.
+    stretch(*mesh, 1e-7);
+    check("An error of 1e-7 in the geometry of A and D is found",
+          is_refused(A, space, points, stiffness));
   }
 
   /** Conjugate gradients need (Bx, y) = (x, By) and (x, Bx) > 0 for the
@@ -425,7 +453,7 @@ multigrid()
       compare_with_matrix<3>({1, 1, n_tip, 1., VolumetricStrain::mean});
       compare_with_matrix<3>({2, 1, n_tip, 1e2, VolumetricStrain::full});
     }
-  check_stretched_cells();
+  check_that_errors_are_found();
   check_preconditioner();
   check_supports_on_levels();
   check_family<2>(1, 4);
