@@ -201,8 +201,20 @@ namespace Crevasse
       }
     if (shows)
       choice.method = PeriodicMethodType::anderson;
+    return find_periodic_state(all, writer, before, last_period);
+  }
 
-    const RelaxationTimes   &times    = magnitudes.relaxation_times;
+
+
+  template <int dim>
+  bool
+  Run<dim>::find_periodic_state(const std::vector<Observer *> &all,
+                                Checkpointer                  &writer,
+                                const PeriodicResult          &before,
+                                const unsigned int             last_period)
+  {
+    const PeriodicStateParameters &parameters = scene.periodic_state;
+    const RelaxationTimes         &times      = magnitudes.relaxation_times;
     const UnilateralBounds   bounds   = unilateral_bounds(body.lip, body.space);
     const MaterialState<dim> material = body.material.at(0.);
     const ReturnDefect<dim>  defect{body.points.n_local_points,
@@ -248,16 +260,9 @@ namespace Crevasse
 
 
 
-#define INSTANTIATE(dim)                                                    \
-  template void           Run<dim>::prepare_evolution();                    \
-  template PeriodicResult Run<dim>::show_motion(std::vector<Observer *>,    \
-                                                Checkpointer &);            \
-  template bool           Run<dim>::requires_return() const;                \
-  template void Run<dim>::accelerate(ObservedPeriods<dim> &, const double); \
-  template bool Run<dim>::search()
-
-  INSTANTIATE(2);
-  INSTANTIATE(3);
-
-#undef INSTANTIATE
+  // Other members here are instantiated by their calls.
+  template bool
+  Run<2>::search();
+  template bool
+  Run<3>::search();
 } // namespace Crevasse

@@ -168,6 +168,17 @@ namespace Crevasse
     requires_return() const;
     void
     accelerate(ObservedPeriods<dim> &periods, const double slowness);
+    /** Marches or accelerates until the stress is periodic or the periods of
+     * this mesh are over.
+     *
+     * @param before results of the periods that were shown before.
+     * @param last_period last one on this mesh.
+     * @return whether the run ends. */
+    bool
+    find_periodic_state(const std::vector<Observer *> &all,
+                        Checkpointer                  &writer,
+                        const PeriodicResult          &before,
+                        const unsigned int             last_period);
   };
 } // namespace Crevasse
 
