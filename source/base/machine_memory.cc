@@ -6,6 +6,7 @@
 #include <crevasse/base/problems.h>
 
 #include <algorithm>
+#include <cmath>
 #include <fstream>
 #include <limits>
 #include <sstream>
@@ -126,6 +127,8 @@ namespace Crevasse
 
   void
   require_memory(const double       bytes,
+                 const double       of_libraries,
+                 const double       n_unknowns,
                  const MPI_Comm     communicator,
                  const std::string &what,
                  const std::string &advice)
@@ -136,6 +139,12 @@ namespace Crevasse
       free_memory() + sum_on_machine(own_memory(), communicator);
     if (Utilities::MPI::max(needed / there, communicator) <= uncertainty)
       return;
+    // Memory of factors shrinks faster than the number of unknowns.
+    const double fixed = sum_on_machine(of_libraries, communicator);
+    const double fitting =
+      n_unknowns *
+      Utilities::MPI::min(std::max(0., (there - fixed) / (needed - fixed)),
+                          communicator);
     throw SceneError(
       what +
       Text::format(
@@ -143,7 +152,11 @@ namespace Crevasse
         "left. ",
         1e-9 * Utilities::MPI::max(needed, communicator),
         1e-9 * Utilities::MPI::min(there, communicator)) +
-      advice);
+      advice +
+      Text::format(" With these settings about %.2g unknowns fit; the mesh has "
+                   "%.0f.",
+                   std::floor(fitting),
+                   n_unknowns));
   }
 
 
@@ -154,5 +167,4 @@ namespace Crevasse
     return Utilities::MPI::gather(
       communicator, kibibyte * number_in("/proc/self/status", "VmHWM:", 0.));
   }
-
 } // namespace Crevasse

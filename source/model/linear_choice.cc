@@ -275,6 +275,8 @@ namespace Crevasse
         n_ranks;
     require_memory(
       needed,
+      0.,
+      unknowns,
       communicator,
       "[Geometry]: a mesh of about " + Text::from_number(cells.all) +
         " cells (" + Text::from_number(unknowns) +

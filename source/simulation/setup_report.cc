@@ -137,6 +137,8 @@ namespace Crevasse
       run.log.line("  memory: about " + list);
       require_memory(
         total,
+        parts[0].second,
+        space.n_unknowns(),
         communicator,
         "The run (" + list + ")",
         "Make the mesh coarser; lower [Time integration] Steps per period, "

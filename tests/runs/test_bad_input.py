@@ -438,6 +438,9 @@ CASES = [
           "triangles; only quadrilaterals are allowed",
           r"\(Gmsh: Mesh\.SubdivisionAlgorithm = 1\)"],
          [mesh("triangles")], scene=MESH_SCENE),
+    Case("more_nodes_than_announced", 2,
+         ["there are 15 nodes, but 3 are announced"],
+         [contradiction("more_nodes_than_announced")], scene=MESH_SCENE),
     Case("entity_of_9_dimensions", 2,
          ["Gmsh says: Unknown entity 1 of dimension 9"],
          [contradiction("entity_of_9_dimensions")], scene=MESH_SCENE),
@@ -542,7 +545,8 @@ CASES = [
          ["Output/Elastic comparison=closed"]),
     Case("more_memory_than_there_is", 2,
          [r"The run \(\d+ MB.* fields \d+.*\) needs about .* GB of memory, "
-          r"but the machine has .* GB left. .* \[Periodic state\] Anderson depth"],
+          r"but the machine has .* GB left. .* \[Periodic state\] Anderson depth",
+          "about 0 unknowns fit; the mesh has 30"],
          ["Periodic state/Method=anderson",
           "Periodic state/Anderson depth=1000000000"]),
     Case("mesh_that_no_memory_holds", 2,  # refused before it is made

@@ -16,11 +16,15 @@ namespace Crevasse
    * Linux reports what is left, also in a control group. Collective.
    *
    * @param bytes Estimate of what this rank needs.
+   * @param of_libraries The part of it that no smaller mesh would save.
+   * @param n_unknowns Unknowns of the mesh.
    * @param what Beginning of the message, "The run".
-   * @param advice End of the message: how to need less.
-   * @throw SceneError if there is less memory. */
+   * @param advice How to need less.
+   * @throw SceneError, with what would fit, if there is less memory. */
   void
   require_memory(const double       bytes,
+                 const double       of_libraries,
+                 const double       n_unknowns,
                  const MPI_Comm     communicator,
                  const std::string &what,
                  const std::string &advice);
