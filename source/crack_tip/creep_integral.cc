@@ -17,28 +17,34 @@ namespace Crevasse
   {
     using Field = QuadratureField<2>;
 
-    double
-    potential(const double          n,
-              const VoigtVector<2> &stress,
-              const VoigtVector<2> &creep_rate)
+    VoigtVector<2>
+    creep_rate(const MaterialState<2> &material,
+               const std::size_t       point,
+               const VoigtVector<2>   &stress)
     {
-      return n / (n + 1.) * (stress * creep_rate);
+      return (*material.creep)[point].rate(stress, 1.).of_strain /
+             material.viscosity_factor;
     }
 
 
 
-    /** Derivative ∂W/∂X₁ at constant ε̇ᶜ for varying ln A and n: ln s changes
-     * by −(ln A),₁/n − ln s n,₁/n. */
-    double
-    slope_of_potential(const double          W,
-                       const double          n,
-                       const VoigtVector<2> &stress,
-                       const VoigtVector<2> &of_law)
+    /** Potential W = ∫ σ dε̇ᶜ and its derivative ∂W/∂X₁ at constant ε̇ᶜ, which
+     * is −∂Ω/∂X₁ at constant stress (Legendre).
+     *
+     * @param of_law slopes of the constants of the law. */
+    std::pair<double, double>
+    potential(const MaterialState<2> &material,
+              const std::size_t       point,
+              const VoigtVector<2>   &stress,
+              const VoigtVector<2>   &of_law)
     {
-      if (W == 0. || (of_law[0] == 0. && of_law[1] == 0.))
-        return 0.;
-      const double ln_s = std::log(equivalent_stress<2>(stress));
-      return W / n * (of_law[1] * (1. / (n + 1.) - ln_s) - of_law[0]);
+      const auto dual  = (*material.creep)[point].dual_potential(stress);
+      double     slope = 0.;
+      for (std::size_t i = 0; i < dual.slopes.size(); ++i)
+        slope -= dual.slopes[i] * of_law[i];
+      return {stress * creep_rate(material, point, stress) -
+                dual.value / material.viscosity_factor,
+              slope / material.viscosity_factor};
     }
 
 
@@ -56,15 +62,16 @@ namespace Crevasse
         velocity, [&](const std::size_t offset, const VoigtVector<2> &strain) {
           Field::set(rate,
                      offset,
-                     strain - material.creep_rate(offset / Field::n_components,
-                                                  Field::get(stress, offset)));
+                     strain - creep_rate(material,
+                                         offset / Field::n_components,
+                                         Field::get(stress, offset)));
         });
       return rate;
     }
 
 
 
-    /** Parameters ln A and n of the creep law at all points. */
+    /** Constants of the creep law at all points. */
     Vector
     describe_law(const Body<2> &body, const MaterialState<2> &material)
     {
@@ -72,10 +79,9 @@ namespace Crevasse
       body.points.initialize(law);
       for (std::size_t p = 0; p < body.points.n_local_points; ++p)
         {
-          const CreepPower<2> &power = (*material.creep_power)[p];
-          VoigtVector<2>       values;
-          values[0] = std::log(power.coefficient);
-          values[1] = power.exponent;
+          const CreepLaw::Constants &constants = (*material.creep)[p].constants;
+          VoigtVector<2>             values;
+          std::copy(constants.begin(), constants.end(), values.begin_raw());
           Field::set(law, p * Field::n_components, values);
         }
       return law;
@@ -197,7 +203,7 @@ namespace Crevasse
     const MaterialState<2> material = body.material.at(t);
     const auto             of_rates =
       slopes(other_strain_rate(body, material, stress, velocity));
-    const auto   of_law = material.creep_power->is_uniform()
+    const auto   of_law = material.creep->is_uniform()
                             ? std::vector<VoigtVector<2>>(of_rates.size())
                             : slopes(describe_law(body, material));
     const Vector nodal  = space.nodal_values(velocity);
@@ -218,13 +224,11 @@ namespace Crevasse
             const std::size_t    p = first + q;
             const VoigtVector<2> s =
               Field::get(stress, p * Field::n_components);
-            const double       n = (*material.creep_power)[p].exponent;
-            const double       W = potential(n, s, material.creep_rate(p, s));
+            const auto [W, slope_of_W] = potential(material, p, s, of_law[p]);
             const Tensor<1, 2> along = gradients[q] * tip.ahead; // slope u̇,₁
             const Tensor<1, 2> flux({s[0] * along[0] + s[3] * along[1],
                                      s[3] * along[0] + s[1] * along[1]});
-            double             divergence =
-              s * of_rates[p] - slope_of_potential(W, n, s, of_law[p]);
+            double             divergence = s * of_rates[p] - slope_of_W;
             for (const auto &[d, force] : body_force)
               divergence -= force.value(points.location[p], t) * along[d];
             for (const unsigned int k : {0, 1})

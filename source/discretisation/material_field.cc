@@ -136,7 +136,7 @@ namespace Crevasse
         fluidity_is_free.push_back(varies_in_time(branch.fluidity));
         fluidity_varies = fluidity_varies || fluidity_is_free.back();
       }
-    fluidity_varies    = fluidity_varies || varies_in_time(law.creep_exponent);
+    fluidity_varies    = fluidity_varies || varies_in_time(law.creep_constants);
     has_thermal_strain = !free_strains.empty();
     for (const FreeStrain *strain : free_strains)
       thermal_strain_varies =
@@ -146,7 +146,7 @@ namespace Crevasse
       varies_in_space(law.stiffness) || thermal_strain_varies_in_space();
     for (const auto &branch : law.branches)
       of_importance = of_importance || varies_in_space(branch.fluidity);
-    if (of_importance || varies_in_space(law.creep_exponent))
+    if (of_importance || varies_in_space(law.creep_constants))
       {
         locations.resize(n_points);
         materials.resize(n_points);
@@ -177,8 +177,8 @@ namespace Crevasse
           constant.fluidity[i] = evaluate(law.branches[i].fluidity, 0.);
       if (has_thermal_strain && !thermal_strain_varies)
         constant.thermal_strain = evaluate_thermal_strain(0.);
-      if (law.is_power_law() && !stiffness_varies && !fluidity_varies)
-        constant.creep_power = evaluate_creep_power(constant, 0.);
+      if (law.creep != nullptr && !stiffness_varies && !fluidity_varies)
+        constant.creep = evaluate_creep(*constant.stiffness, 0.);
     });
   }
 
@@ -253,27 +253,20 @@ namespace Crevasse
 
 
   template <int dim>
-  std::shared_ptr<const PointValues<CreepPower<dim>>>
-  MaterialField<dim>::evaluate_creep_power(const MaterialState<dim> &state,
-                                           const double              t) const
+  std::shared_ptr<const PointValues<CreepPoint<dim>>>
+  MaterialField<dim>::evaluate_creep(const Matrices &stiffness,
+                                     const double    t) const
   {
     const auto modes =
-      transform(*state.stiffness, n_points, [](const VoigtMatrix<dim> &K) {
+      transform(stiffness, n_points, [](const VoigtMatrix<dim> &K) {
         return RelaxationModes<dim>(isotropic_compliance<dim>(1., 0.5), K);
       });
-    const auto laws = combine(*evaluate(law.creep_exponent, t),
-                              modes,
-                              n_points,
-                              [](const double n, const auto &modes) {
-                                return CreepPower<dim>{n, 1., modes};
-                              });
-    return std::make_shared<const PointValues<CreepPower<dim>>>(
-      combine(laws,
-              *state.fluidity[0],
+    return std::make_shared<const PointValues<CreepPoint<dim>>>(
+      combine(*evaluate(law.creep_constants, t),
+              modes,
               n_points,
-              [](CreepPower<dim> power, const VoigtMatrix<dim> &fluidity) {
-                power.coefficient = fluidity[0][0];
-                return power;
+              [this](const auto &constants, const auto &modes) {
+                return CreepPoint<dim>{law.creep, constants, modes};
               }));
   }
 
@@ -350,8 +343,8 @@ namespace Crevasse
         bytes += state.fluidity[i]->memory_consumption();
     if (thermal_strain_varies)
       bytes += state.thermal_strain->memory_consumption();
-    if (state.creep_power != nullptr && constant.creep_power == nullptr)
-      bytes += state.creep_power->memory_consumption();
+    if (state.creep != nullptr && constant.creep == nullptr)
+      bytes += state.creep->memory_consumption();
     return bytes;
   }
 
@@ -371,8 +364,8 @@ namespace Crevasse
             state.fluidity[i] = evaluate(law.branches[i].fluidity, t);
         if (thermal_strain_varies)
           state.thermal_strain = evaluate_thermal_strain(t);
-        if (law.is_power_law() && state.creep_power == nullptr)
-          state.creep_power = evaluate_creep_power(state, t);
+        if (law.creep != nullptr && state.creep == nullptr)
+          state.creep = evaluate_creep(*state.stiffness, t);
       });
     set_factors(t, state);
     return state;

@@ -36,7 +36,7 @@ namespace Crevasse
   MaterialField<dim>::extreme_rates(const MaterialState<dim> &state) const
   {
     RelaxationRates all{std::numeric_limits<double>::infinity(), 0., true};
-    if (state.creep_power != nullptr) // depends on stress
+    if (state.creep != nullptr) // depends on stress
       return {std::numeric_limits<double>::infinity(), 0., false};
     for (unsigned int i = 0; i < state.fluidity.size(); ++i)
       {
@@ -74,9 +74,11 @@ namespace Crevasse
           {
             const MaterialState<dim> state = at(t);
             collectively(communicator, [&]() { now = extreme_rates(state); });
-            if (state.creep_power != nullptr)
-              for (const CreepPower<dim> &power : state.creep_power->distinct())
-                creep_exponent = std::max(creep_exponent, power.exponent);
+            if (state.creep != nullptr)
+              for (const CreepPoint<dim> &creep : state.creep->distinct())
+                creep_exponent =
+                  std::max(creep_exponent,
+                           law.creep->least_exponent(creep.constants));
             now.least = Utilities::MPI::min(now.least, communicator);
           }
         set_factors(t, factors);

@@ -35,9 +35,9 @@ namespace Crevasse
       else if (effects.varying_viscosity.on)
         found.push_back("the viscosity varies in time, " +
                         effects.varying_viscosity.why + instead);
-      if (body.law.is_power_law())
+      if (body.law.creep != nullptr)
         found.emplace_back(
-          "creep by a power law has no harmonics of its own; use "
+          "creep that is not linear has no harmonics of its own; use "
           "[Periodic state] Method = march");
       if (body.law.has_spring())
         found.push_back(

@@ -267,29 +267,20 @@ namespace Crevasse
 
 
 
-    /** H of a power law, for a unit stress. */
-    template <int dim>
-    Property<VoigtMatrix<dim>>
-    creep_fluidity(const MaterialParameters &parameters)
+    Property<CreepLaw::Constants>
+    make_creep_constants(const MaterialParameters &parameters)
     {
-      Property<VoigtMatrix<dim>> property;
-      add_formula(property, *parameters.creep_coefficient, Ranges::coefficient);
+      Property<CreepLaw::Constants> property;
+      if (const CreepLaw *law = parameters.creep_law())
+        for (const CreepLawParameter &parameter : law->parameters)
+          add_formula(property,
+                      *parameters.of_creep.at(parameter.name),
+                      parameter.range);
       property.make = [](const Values &values) {
-        return values[0] * isotropic_compliance<dim>(1., 0.5);
+        CreepLaw::Constants constants{{std::log(values[0])}};
+        std::copy(values.begin() + 1, values.end(), constants.begin() + 1);
+        return constants;
       };
-      return property;
-    }
-
-
-
-    Property<double>
-    make_creep_exponent(const MaterialParameters &parameters)
-    {
-      Property<double> property;
-      if (parameters.viscosity != ViscosityType::power_law)
-        return property;
-      add_formula(property, *parameters.creep_exponent, Ranges::creep_exponent);
-      property.make = [](const Values &values) { return values[0]; };
       return property;
     }
 
@@ -324,12 +315,15 @@ namespace Crevasse
                                             branch.relaxation_time,
                                             branch.fraction)});
             break;
-          case ViscosityType::power_law:
-            branches.push_back({1., creep_fluidity<dim>(parameters)});
-            break;
-          case ViscosityType::none:
+          default:
             break;
         }
+      if (parameters.creep_law() != nullptr)
+        branches.push_back(
+          {1.,
+           {{},
+            [](const Values &) { return isotropic_compliance<dim>(1., 0.5); },
+            {}}});
       return branches;
     }
 
@@ -353,7 +347,8 @@ namespace Crevasse
   MaxwellLaw<dim>::MaxwellLaw(const MaterialParameters &parameters)
     : stiffness(stiffness_property<dim>(parameters))
     , branches(make_branches<dim>(parameters))
-    , creep_exponent(make_creep_exponent(parameters))
+    , creep(parameters.creep_law())
+    , creep_constants(make_creep_constants(parameters))
     , plane_stress(dim == 2 &&
                    parameters.plane_state == PlaneState::plane_stress)
     , k(*parameters.stiffness_time_factor)

@@ -63,8 +63,9 @@ namespace Crevasse
     const MaterialState<dim>     &material = makers.material(t);
     std::vector<VoigtMatrix<dim>> moduli(body.points.n_local_points);
     for (std::size_t point = 0; point < moduli.size(); ++point)
-      moduli[point] = (*material.creep_power)[point].relaxed_stiffness(
-        Field::get(stress, point * Field::n_components), material.kappa(c));
+      moduli[point] = (*material.creep)[point].relaxed_stiffness(
+        Field::get(stress, point * Field::n_components),
+        std::log(material.kappa(c)));
 
     const auto drop = [this](const auto entry) {
       if (entry == tangents.end())

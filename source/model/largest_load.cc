@@ -208,18 +208,14 @@ namespace Crevasse
          differ(*a.stiffness, *b.stiffness, 0.)) ||
         (body.material.thermal_strain_varies &&
          differ(*a.thermal_strain, *b.thermal_strain, thermal_strain));
-      if (body.material.fluidity_varies && a.creep_power == nullptr)
+      if (body.material.fluidity_varies && a.creep == nullptr)
         for (std::size_t i = 0; i < a.fluidity.size(); ++i)
           jumps = jumps || differ(*a.fluidity[i], *b.fluidity[i], 0.);
       else if (body.material.fluidity_varies)
         for (std::size_t p = 0; p < body.points.n_local_points; ++p)
-          {
-            // Squares of coefficients may underflow.
-            const CreepPower<dim> &x = (*a.creep_power)[p];
-            const CreepPower<dim> &y = (*b.creep_power)[p];
-            jumps = jumps || factors_differ(x.exponent, y.exponent) ||
-                    factors_differ(x.coefficient, y.coefficient);
-          }
+          for (std::size_t i = 0; i < std::size(CreepLaw::Constants()); ++i)
+            jumps = jumps || factors_differ((*a.creep)[p].constants[i],
+                                            (*b.creep)[p].constants[i]);
       return dealii::Utilities::MPI::max(jumps ? 1 : 0,
                                          body.space.communicator()) == 1;
     }

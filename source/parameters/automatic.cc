@@ -24,8 +24,8 @@ namespace Crevasse
           roles.symmetry.count(BoundaryIds::ligament) == 0)
         return "[Boundary] Contact or Symmetry differs from the default of the "
                "shape";
-      if (scene.material.viscosity == ViscosityType::power_law)
-        return "creep by a power law has another singularity";
+      if (scene.material.creep_law() != nullptr)
+        return "creep that is not linear has another singularity";
       if (scene.refinement.readapt_every > 0)
         return "[Refinement] Readapt every = " +
                std::to_string(scene.refinement.readapt_every);

@@ -66,8 +66,9 @@ namespace Crevasse
         return "Dimension = 3";
       if (!roles.has_lip())
         return "no boundary has the role Contact or Crack";
-      if (scene.material.viscosity == ViscosityType::power_law)
-        return "creep by a power law has another singularity";
+      if (scene.material.creep_law() != nullptr)
+        return "creep is not linear in the stress: see [Crack tip] Creep "
+               "integral";
       if (scene.is_axisymmetric() && !creeps_in_proportion(scene.material))
         return "the body is axisymmetric, and its viscosity is not "
                "proportional to its stiffness";
@@ -105,14 +106,18 @@ namespace Crevasse
     const bool is_chain = material.viscosity == ViscosityType::chain;
     const auto [n_singular, why_singular] = Crevasse::singular_functions(scene);
 
-    contact      = {"contact",
-                    has_contact,
-                    std::string(has_contact ? "a" : "no") +
-                      " boundary has the role " +
-                      (roles.crack.empty() ? "Contact" : "Crack")};
-    viscosity    = {"viscosity",
-                    material.viscosity != ViscosityType::none,
-                    "[Material] Viscosity = " + name_of(material.viscosity)};
+    contact   = {"contact",
+                 has_contact,
+                 std::string(has_contact ? "a" : "no") +
+                   " boundary has the role " +
+                   (roles.crack.empty() ? "Contact" : "Crack")};
+    viscosity = {"viscosity",
+                 material.viscosity != ViscosityType::none,
+                 "[Material] Viscosity = " + name_of(material.viscosity)};
+    if (const CreepLaw *law = material.creep_law())
+      for (const CreepLawParameter &parameter : law->parameters)
+        viscosity.why += std::string(", ") + parameter.name + " = " +
+                         material.of_creep.at(parameter.name).text();
     secular_flow = {"secular flow", false, "not looked for"};
     chain        = {"chain",
                     is_chain,
@@ -217,6 +222,13 @@ namespace Crevasse
   std::vector<Expression>
   viscosity_formulas(const MaterialParameters &material)
   {
+    if (const CreepLaw *law = material.creep_law())
+      {
+        std::vector<Expression> formulas;
+        for (const CreepLawParameter &parameter : law->parameters)
+          formulas.push_back(*material.of_creep.at(parameter.name));
+        return formulas;
+      }
     switch (material.viscosity)
       {
         case ViscosityType::none:
@@ -225,8 +237,6 @@ namespace Crevasse
           return {*material.viscous_modulus, *material.viscous_poisson_ratio};
         case ViscosityType::matrix:
           return entries(material.viscosity_matrix);
-        case ViscosityType::power_law:
-          return {*material.creep_coefficient, *material.creep_exponent};
         default:
           break;
       }

@@ -205,17 +205,20 @@ namespace Crevasse
       "-0.999, at most 0.5" +
         formula,
       prm);
-    creep_coefficient.add_parameter("Creep coefficient",
-                                    "Rate of the creep strain under tension by "
-                                    "a unit stress, in units of 1 / "
-                                    "(stress ^ Creep exponent * time)." +
-                                      positive,
-                                    prm);
-    creep_exponent.add_parameter("Creep exponent",
-                                 "Power of the stress in the rate of creep. "
-                                 "Allowed: a number of at least 1, at most 50" +
-                                   formula,
-                                 prm);
+    std::set<std::string> declared;
+    for (const auto &row : Selection<ViscosityType>::rows)
+      if (row.creep_law != nullptr)
+        for (const CreepLawParameter &parameter : row.creep_law().parameters)
+          if (declared.insert(parameter.name).second)
+            of_creep
+              .try_emplace(parameter.name,
+                           parameter.standard,
+                           material_formula(parameter.name, parameter.range))
+              .first->second.add_parameter(
+                parameter.name,
+                parameter.meaning +
+                  (". Allowed: a number " + (parameter.range.words + formula)),
+                prm);
     viscosity_matrix.add_parameter(
       "Viscosity matrix",
       "Viscosity, in units of stress times time. Allowed: " + matrix,

@@ -145,13 +145,12 @@ namespace Crevasse
                          "must be given with Viscosity = chain: a list such as "
                          "0.5: 10; 0.3: 100");
           break;
-        case ViscosityType::power_law:
-          checker.demand_valid("Creep coefficient", creep_coefficient);
-          checker.demand_valid("Creep exponent", creep_exponent);
-          break;
-        case ViscosityType::none:
+        default:
           break;
       }
+    if (const CreepLaw *law = creep_law())
+      for (const CreepLawParameter &parameter : law->parameters)
+        checker.demand_valid(parameter.name, of_creep.at(parameter.name));
   }
 
 

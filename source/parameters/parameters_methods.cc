@@ -180,7 +180,7 @@ namespace Crevasse
     prm.add_parameter(
       "Newton tolerance",
       newton_tolerance,
-      "Where creep by a power law is implicit: largest residual of "
+      "Where creep that is not linear is implicit: largest residual of "
       "equilibrium, relative to the largest nodal force of the loads.",
       NumberPattern({1e-13, Ranges::below_1, "at least 1e-13, less than 1"}));
     prm.add_parameter("Order",
@@ -236,8 +236,8 @@ namespace Crevasse
     prm.add_parameter(
       "Creep integral",
       creep_integral,
-      "Whether creep_integral.csv has the integral C(t) of each step, with "
-      "Viscosity = power law in the plane, or creep_integral_1.csv, "
+      "Whether creep_integral.csv has the integral C(t) of each step, in the "
+      "plane where creep is not linear, or creep_integral_1.csv, "
       "creep_integral_2.csv, ... those of each tip of cracks with two lips. In "
       "steady creep it is C*.");
     add_selection("Method", method, prm);

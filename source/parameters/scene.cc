@@ -90,27 +90,30 @@ namespace Crevasse
         is_plane || scene.crack_tip.growth_law == GrowthLawType::none,
         "Crack growth law",
         "is for Dimension = 2: in space K varies along the front");
-      crack_tip.demand(scene.crack_tip.stress_intensity !=
-                           StressIntensityChoice::on ||
-                         scene.material.viscosity != ViscosityType::power_law,
+      const bool is_linear = scene.material.creep_law() == nullptr;
+      crack_tip.demand(is_linear || scene.crack_tip.stress_intensity !=
+                                      StressIntensityChoice::on,
                        "Stress intensity",
-                       "must be false with [Material] Viscosity = power law: "
-                       "K does not describe the stress at a tip where creep is "
-                       "a power of the stress. Set Creep integral = true");
-      crack_tip.demand(scene.material.viscosity != ViscosityType::power_law ||
+                       "must be false with [Material] Viscosity = " +
+                         name_of(scene.material.viscosity) +
+                         ": K does not describe the stress at a tip where "
+                         "creep is not linear in the stress. Set Creep "
+                         "integral = true");
+      crack_tip.demand(is_linear ||
                          scene.crack_tip.growth_law == GrowthLawType::none ||
                          scene.crack_tip.grows_by_C_of_t(),
                        "Crack growth law",
-                       "needs, with [Material] Viscosity = power law, Creep "
-                       "integral = true and Creep growth parameter = C(t)");
-      crack_tip.demand(
-        !scene.crack_tip.creep_integral ||
-          (is_plane && !scene.is_axisymmetric() &&
-           scene.material.viscosity == ViscosityType::power_law &&
-           singular_functions(scene).n == 0),
-        "Creep integral",
-        "is for [Material] Viscosity = power law in plane stress or strain, "
-        "with [Discretisation] Singular functions = 0");
+                       "needs, with [Material] Viscosity = " +
+                         name_of(scene.material.viscosity) +
+                         ", Creep integral = true and Creep growth parameter = "
+                         "C(t)");
+      crack_tip.demand(!scene.crack_tip.creep_integral ||
+                         (is_plane && !scene.is_axisymmetric() && !is_linear &&
+                          singular_functions(scene).n == 0),
+                       "Creep integral",
+                       "is for creep that is not linear, such as [Material] "
+                       "Viscosity = power law, in plane stress or strain, with "
+                       "[Discretisation] Singular functions = 0");
       if (!scene.is_axisymmetric())
         return;
       crack_tip.demand(scene.crack_tip.method !=
@@ -177,16 +180,17 @@ namespace Crevasse
                 "the comparison needs steps that are known in advance");
       Checker(TimeIntegrationParameters::section, problems)
         .demand(
-          scene.material.viscosity != ViscosityType::power_law ||
+          scene.material.creep_law() == nullptr ||
             (scene.time_integration.scheme != Scheme::predictor_corrector &&
              scene.time_integration.scheme != Scheme::exponential &&
              scene.time_integration.scheme != Scheme::trapezoid),
           "Scheme",
-          "is for linear materials, which [Material] Viscosity = power law is "
-          "not: predictor corrector and exponential work with their "
-          "relaxation, and with trapezoid the stress at a crack tip oscillates "
-          "instead of relaxing; use another one, such as heun, or sdirk2 for "
-          "long steps");
+          "is for linear materials, which [Material] Viscosity = " +
+            name_of(scene.material.viscosity) +
+            " is not: predictor corrector and exponential work with their "
+            "relaxation, and with trapezoid the stress at a crack tip "
+            "oscillates instead of relaxing; use another one, such as heun, or "
+            "sdirk2 for long steps");
       Checker(PeriodicStateParameters::section, problems)
         .demand(periodic.secular_split != SecularSplitType::off ||
                   (periodic.method != PeriodicMethodType::anderson &&

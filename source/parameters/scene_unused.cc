@@ -46,7 +46,7 @@ namespace Crevasse
                               std::string(force.parameter);
             has_surface_force |= !are_zero(*force.components);
           }
-      return {
+      Rules rules = {
         {"Geometry/Width, Height, Thickness, Subdivisions",
          from_file,
          of_shape},
@@ -67,9 +67,6 @@ namespace Crevasse
          viscosity},
         {"Material/Viscosity matrix", kind != ViscosityType::matrix, viscosity},
         {"Material/Chain", kind != ViscosityType::chain, viscosity},
-        {"Material/Creep coefficient, Creep exponent",
-         kind != ViscosityType::power_law,
-         viscosity},
         {"Material/Viscosity time factor", is_elastic, viscosity},
         {"Material/Thermal expansion",
          !has_temperature(scene.loads),
@@ -79,6 +76,13 @@ namespace Crevasse
          "[Material] Thermal expansion = 0, and no coefficient depends on "
          "theta"},
       };
+      std::set<std::string> used;
+      if (const CreepLaw *law = material.creep_law())
+        for (const CreepLawParameter &parameter : law->parameters)
+          used.insert(parameter.name);
+      for (const auto &[name, formula] : material.of_creep)
+        rules.push_back({"Material/" + name, used.count(name) == 0, viscosity});
+      return rules;
     }
 
 
@@ -106,8 +110,8 @@ namespace Crevasse
       return {
         {"Boundary/Gap", !has_contact, no_contact},
         {"Time integration/Newton tolerance",
-         !implicit || scene.material.viscosity != ViscosityType::power_law,
-         "no stage of creep by a power law is implicit"},
+         !implicit || scene.material.creep_law() == nullptr,
+         "no stage of creep that is not linear is implicit"},
         {"Contact/Solver, Relaxation factor", !has_contact, no_contact},
         {"Time integration/Locate contact events", !has_contact, no_contact},
         {"Contact/Relaxation factor", !solver.has(Trait::relaxes), of_solver},

@@ -115,18 +115,17 @@ namespace Crevasse
         require_fourier(scene, body, steps);
       if (const std::string flow = secular_obstacle(body);
           choice.method == Method::anderson && !flow.empty() &&
-          !body.law.has_spring() && !body.law.is_power_law())
+          !body.law.has_spring() && body.law.creep == nullptr)
         throw SceneError(choice.why +
                          ": the viscous strain may not be periodic, because " +
                          flow + ". Use Method = march.");
-      if (choice.method == Method::anderson && body.law.is_power_law() &&
+      if (choice.method == Method::anderson && body.law.creep != nullptr &&
           has_mean_load(body, steps))
         throw SceneError(
           choice.why +
-          ": under a mean load a body that creeps by a power "
-          "law flows on from period to period, so that no "
-          "viscous strain is periodic. Use Method = march, which "
-          "looks at the stress.");
+          ": under a mean load a body whose creep is not linear flows on from "
+          "period to period, so that no viscous strain is periodic. Use Method "
+          "= march, which looks at the stress.");
       return choice;
     }
   } // namespace

@@ -216,8 +216,9 @@ namespace Crevasse
       return "without viscosity nothing flows";
     if (body.law.has_spring())
       return "the elastic spring of the chain bears the mean load";
-    if (body.law.is_power_law())
-      return "creep by a power law under the mean load is not the mean creep";
+    if (body.law.creep != nullptr)
+      return "creep that is not linear under the mean load is not the mean "
+             "creep";
     if (body.material.fluidity_varies)
       return "the viscosity varies in time, and not by [Material] Viscosity "
              "time factor alone";

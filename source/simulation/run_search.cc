@@ -61,7 +61,8 @@ namespace Crevasse
       evolution.split_off(*flow);
     if (integrator != nullptr &&
         (scene.time_integration.step_control == StepControlType::adaptive ||
-         (integrator->properties.begins_explicitly && body.law.is_power_law())))
+         (integrator->properties.begins_explicitly &&
+          body.law.creep != nullptr)))
       evolution.set_scales(body.space, instants_of_scale(body, steps));
     if (state.displacement.size() > 0)
       systems.system_at(0.).contact_solver().start_from(
@@ -125,12 +126,12 @@ namespace Crevasse
   void
   Run<dim>::accelerate(ObservedPeriods<dim> &periods, const double slowness)
   {
-    // A power law has no constant fluidity; the norm uses the stiffness.
+    // Nonlinear creep has no constant fluidity; the norm uses the stiffness.
     const ViscousCoordinates<dim> coordinates(
       body.space,
       body.points,
       body.material.at(0.),
-      body.law.is_power_law()
+      body.law.creep != nullptr
         ? 0.
         : scene.loads.period *
             magnitudes.relaxation_times.mean_fluidity_factor);

@@ -171,7 +171,7 @@ namespace Crevasse
         integrator.stability_limit * run.magnitudes.relaxation_times.smallest;
       text << "; " << integrator.name << ", stable ";
       if (std::isfinite(integrator.stability_limit) &&
-          run.body.law.is_power_law())
+          run.body.law.creep != nullptr)
         return text << "with steps that depend on the stress";
       return std::isfinite(limit) ? text << "below " << limit
                                   : text << "with any step";

@@ -74,13 +74,13 @@ namespace Crevasse
         "[Crack tip] Creep integral: a load seems to jump within a step, where "
         "C(t) is wrong; let a step end at the jump ([Time integration] Steps)");
     if (const auto &scene = run.scene;
-        scene.material.viscosity == ViscosityType::power_law &&
+        scene.material.creep_law() != nullptr &&
         scene.discretisation.volumetric_strain == VolumetricStrain::full &&
         (dim == 3 || scene.material.plane_state != PlaneState::plane_stress))
       all.emplace_back(
-        "[Material] Viscosity = power law keeps the volume, so that "
-        "elements lock: set [Discretisation] Volumetric strain = "
-        "mean and Degree = 1");
+        "[Material] Viscosity = " + name_of(scene.material.viscosity) +
+        " keeps the volume, so that elements lock: set [Discretisation] "
+        "Volumetric strain = mean and Degree = 1");
     if (run.steps.jumps_at(run.steps.period()) && !formulas_can_jump(run.scene))
       all.push_back(
         "[Loads] Period = " + Text::from_number(run.steps.period()) +

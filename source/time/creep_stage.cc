@@ -85,7 +85,7 @@ namespace Crevasse
   CreepStage<dim>::evaluate(Stage &stage, Vector &right_hand_side)
   {
     using Field            = QuadratureField<dim>;
-    const auto     &law    = *stage.known.material.creep_power;
+    const auto     &law    = *stage.known.material.creep;
     const auto     &moduli = *stage.tangent.moduli;
     const double    k      = stage.state.stiffness_factor;
     const Stopwatch watch("strain sweeps");
@@ -101,7 +101,7 @@ namespace Crevasse
             const VoigtVector<dim> stress =
               law[point].relaxed_stress(strain - stage.known(offset),
                                         k,
-                                        stage.kappa);
+                                        stage.log_kappa);
             Field::set(stage.state.stress, offset, stress);
             Field::set(excess, offset, k * (moduli[point] * strain) - stress);
           }
@@ -244,7 +244,7 @@ namespace Crevasse
           {
             Stage          stage{t,
                         to,
-                        material.kappa(to),
+                        std::log(material.kappa(to)),
                         InelasticStrain<dim>(material, known),
                         // The tangent of a trial that failed is useless.
                         has_failed ? instants.renew_tangent(t, to, state.stress)
@@ -271,6 +271,29 @@ namespace Crevasse
             has_failed = true;
           }
       }
+  }
+
+
+
+  template <int dim>
+  double
+  CreepStage<dim>::rates(const MaterialState<dim> &material,
+                         const Vector             &stress,
+                         Vector                   &rate)
+  {
+    using Field               = QuadratureField<dim>;
+    constexpr std::size_t n   = Field::n_components;
+    double                all = 0.;
+    for (std::size_t offset = 0; offset < stress.locally_owned_size();
+         offset += n)
+      {
+        const auto here =
+          (*material.creep)[offset / n].rate(Field::get(stress, offset),
+                                             material.stiffness_factor);
+        all = std::max(all, here.of_relaxation);
+        Field::set(rate, offset, here.of_strain / material.viscosity_factor);
+      }
+    return all / material.viscosity_factor;
   }
 
 

@@ -79,7 +79,12 @@ namespace Crevasse
     const Instant<dim>        instant  = instants.at(t);
     const MaterialState<dim> &material = instant.material;
     solve_explicitly(t, instant, r);
-    if (material.is_plain() && flow == nullptr)
+    if (material.creep != nullptr)
+      {
+        set_stress(InelasticStrain<dim>(material, r));
+        fastest = creep_stage.rates(material, last.stress, rate);
+      }
+    else if (material.is_plain() && flow == nullptr)
       plain_rate(material, r, rate);
     else
       stress_and_rates(
@@ -134,7 +139,6 @@ namespace Crevasse
     const double              k        = material.stiffness_factor;
     const double              factor   = k / material.viscosity_factor;
     const Stopwatch           watch("strain sweeps");
-    fastest = material.creep_power == nullptr ? -1. : 0.;
     strain_operator.for_each_strain(
       last.displacement,
       [&](const std::size_t offset, const VoigtVector<dim> &strain) {
@@ -151,13 +155,6 @@ namespace Crevasse
             sum += stress;
             VoigtVector<dim> branch_rate =
               factor * ((*material.fluidity[i])[point] * stress);
-            if (material.creep_power != nullptr)
-              {
-                const CreepPower<dim> &law = (*material.creep_power)[point];
-                const double           multiple = law.factor(k * stress);
-                branch_rate *= multiple;
-                fastest = std::max(fastest, factor * multiple * law.rate());
-              }
             if (flow != nullptr)
               branch_rate -= Field::get(flow->strain_rate, place);
             Field::set(rate, place, branch_rate);
@@ -191,10 +188,12 @@ namespace Crevasse
   {
     const Stopwatch evaluation("rate evaluations");
     const double    t = instant_of(time);
-    if (instants.material_at(t).creep_power != nullptr)
+    if (instants.material_at(t).creep != nullptr)
       {
         last_solver = &creep_stage.solve(t, known, c, last, loading);
-        return power_law_rates(t, rate);
+        creep_stage.rates(instants.material_at(t), last.stress, rate);
+        ++evaluations;
+        return;
       }
     const ImplicitInstant<dim>    instant = instants.implicit_at(t, c);
     const AlgorithmicModuli<dim> &moduli  = instant.moduli;
@@ -221,17 +220,20 @@ namespace Crevasse
 
   template <int dim>
   void
-  Evolution<dim>::power_law_rates(const double t, Vector &rate)
+  Evolution<dim>::set_stress(const InelasticStrain<dim> &inelastic)
   {
     using Field                        = QuadratureField<dim>;
-    const MaterialState<dim> &material = instants.material_at(t);
-    constexpr unsigned int    n        = Field::n_components;
-    for (std::size_t point = 0; point * n < rate.locally_owned_size(); ++point)
-      Field::set(rate,
-                 point * n,
-                 material.creep_rate(point,
-                                     Field::get(last.stress, point * n)));
-    ++evaluations;
+    const MaterialState<dim> &material = inelastic.material;
+    const Stopwatch           watch("strain sweeps");
+    strain_operator.for_each_strain(
+      last.displacement,
+      [&](const std::size_t offset, const VoigtVector<dim> &strain) {
+        Field::set(last.stress,
+                   offset,
+                   material.stiffness_factor *
+                     ((*material.stiffness)[offset / Field::n_components] *
+                      (strain - inelastic(offset))));
+      });
   }
 
 
@@ -302,22 +304,10 @@ namespace Crevasse
   void
   Evolution<dim>::elastic_state(const double t)
   {
-    using Field                         = QuadratureField<dim>;
-    const Instant<dim>         instant  = instants.at(t);
-    const MaterialState<dim>  &material = instant.material;
-    const Vector               none;
-    const InelasticStrain<dim> inelastic(material, none);
+    const Instant<dim> instant = instants.at(t);
+    const Vector       none;
     solve_explicitly(t, instant, none);
-    const Stopwatch watch("strain sweeps");
-    strain_operator.for_each_strain(
-      last.displacement,
-      [&](const std::size_t offset, const VoigtVector<dim> &strain) {
-        Field::set(last.stress,
-                   offset,
-                   material.stiffness_factor *
-                     ((*material.stiffness)[offset / Field::n_components] *
-                      (strain - inelastic.thermal(offset))));
-      });
+    set_stress(InelasticStrain<dim>(instant.material, none));
   }
 
 
@@ -332,10 +322,8 @@ namespace Crevasse
                                Field::n_components);
     for_each_point(space,
                    dealii::update_JxW_values,
-                   [&shares](const dealii::FEValues<dim> &values,
-                             const unsigned int           q,
-                             const std::size_t            point) {
-                     shares[point] = values.JxW(q);
+                   [&shares](const auto &values, const auto q, const auto p) {
+                     shares[p] = values.JxW(q);
                    });
     const MPI_Comm communicator = space.communicator();
     const double   volume       = dealii::Utilities::MPI::sum(

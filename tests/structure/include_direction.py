@@ -5,7 +5,7 @@ import pathlib
 import re
 import sys
 
-ORDER = ["base", "kernels", "temperature", "parameters", "material", "grid",
+ORDER = ["base", "kernels", "temperature", "creep", "parameters", "material", "grid",
          "lip", "discretisation", "linear", "contact", "time", "model",
          "secular", "checkpoint", "harmonic_balance", "periodic", "crack_tip",
          "postprocess", "simulation", "app"]

@@ -82,7 +82,7 @@ namespace Crevasse
     double tension         = 0.; ///< tension: max(−g)
     double complementarity = 0.; ///< max min(|g|, |Lq − gap|)
     double residual        = 0.; ///< max |Aq − b| off the lip
-    /** Largest residual of Newton's method (power laws), relative to the
+    /** Largest residual of Newton's method (nonlinear creep), relative to the
      * forces. */
     double newton_residual = 0.;
 

@@ -19,7 +19,7 @@ namespace Crevasse
     std::size_t linear_iterations = 0;
     std::size_t vi_solves         = 0; ///< problems with bounds
     std::size_t vi_iterations     = 0;
-    std::size_t implicit_stages   = 0; ///< stages for a power law
+    std::size_t implicit_stages   = 0; ///< stages of nonlinear creep
     std::size_t rate_evaluations  = 0;
 
     std::size_t certified = 0; ///< certified solves

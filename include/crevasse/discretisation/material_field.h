@@ -6,7 +6,7 @@
 
 #include <crevasse/discretisation/point_values.h>
 #include <crevasse/discretisation/quadrature_field.h>
-#include <crevasse/material/creep_power.h>
+#include <crevasse/material/creep_point.h>
 #include <crevasse/material/maxwell_law.h>
 #include <crevasse/material/voigt_matrix.h>
 #include <crevasse/temperature/temperature.h>
@@ -26,8 +26,8 @@ namespace Crevasse
     std::vector<double>                          fractions;   ///< wᵢ
     double                                       spring = 1.; ///< 1 − Σ wᵢ
     std::vector<std::shared_ptr<const Matrices>> fluidity;    ///< Hᵢ
-    std::shared_ptr<const PointValues<CreepPower<dim>>>
-                                   creep_power;    ///< null: linear creep
+    std::shared_ptr<const PointValues<CreepPoint<dim>>>
+                                   creep;          ///< null: linear creep
     std::shared_ptr<const Vectors> thermal_strain; ///< f, such as χθ, or null
 
     /** Whether stiffness and viscosity have no row 33. */
@@ -43,14 +43,6 @@ namespace Crevasse
       return c * stiffness_factor / viscosity_factor;
     }
 
-    /** Creep rate of a power law. */
-    VoigtVector<dim>
-    creep_rate(const std::size_t point, const VoigtVector<dim> &stress) const
-    {
-      return (*creep_power)[point].factor(stress) / viscosity_factor *
-             ((*fluidity[0])[point] * stress);
-    }
-
     /** Whether the material is one uniform Maxwell body without thermal strain,
      * the case for the shortest loops. */
     bool
@@ -58,7 +50,7 @@ namespace Crevasse
     {
       return stiffness->is_uniform() && fractions.size() == 1 &&
              fractions[0] == 1. && fluidity[0]->is_uniform() &&
-             creep_power == nullptr && thermal_strain == nullptr;
+             creep == nullptr && thermal_strain == nullptr;
     }
   };
 
@@ -209,8 +201,8 @@ namespace Crevasse
     evaluate_thermal_strain(const double t) const;
 
     /** Creep power from the stiffness and fluidity of a state. */
-    std::shared_ptr<const PointValues<CreepPower<dim>>>
-    evaluate_creep_power(const MaterialState<dim> &state, const double t) const;
+    std::shared_ptr<const PointValues<CreepPoint<dim>>>
+    evaluate_creep(const Matrices &stiffness, const double t) const;
 
     RelaxationRates
     extreme_rates(const MaterialState<dim> &state) const;

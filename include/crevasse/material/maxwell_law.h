@@ -23,9 +23,8 @@ namespace Crevasse
    * elastic spring. One branch with w = 1 is the paper's body, none an elastic
    * one.
    *
-   * Creep by a power law (Norton and Odqvist) is one branch whose fluidity H,
-   * of the viscous Poisson ratio ½, is multiplied by a power of von Mises'
-   * stress: ṙ = η₀(t)⁻¹ s_eq^(n−1) H s = η₀⁻¹ 3/2 A s_eq^(n−1) dev s.
+   * Creep that is not linear is one branch, with the H of N = Hs/s, see
+   * CreepLaw.
    */
   template <int dim>
   class MaxwellLaw
@@ -52,14 +51,11 @@ namespace Crevasse
 
     const std::vector<Branch> branches;
 
-    /** n of the one branch; without formulas: 1. */
-    const Property<double> creep_exponent;
+    /** The law of the one branch; null: the branches are linear. */
+    const CreepLaw *const creep;
 
-    bool
-    is_power_law() const
-    {
-      return !creep_exponent.formulas.empty();
-    }
+    /** Constants of the creep law; without formulas: there is none. */
+    const Property<CreepLaw::Constants> creep_constants;
 
     /** The parts of f. */
     std::vector<FreeStrain> free_strains;

@@ -13,7 +13,7 @@ namespace Crevasse
   class StateArchive;
 
   /**
-   * Caches tangents of power-law creep, each at the stress of an instant of the
+   * Caches tangents of nonlinear creep, each at the stress of an instant of the
    * period, and their contact systems. From period to period the stress changes
    * little: the tangent of the nearest instant is used until Newton's method
    * converges too slowly and requests a new one.

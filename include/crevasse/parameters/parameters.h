@@ -107,12 +107,7 @@ namespace Crevasse
     Formula viscous_poisson_ratio{"0.3",
                                   material_formula("Viscous Poisson ratio",
                                                    Ranges::viscous_ratio)};
-    Formula creep_coefficient{"1",
-                              material_formula("Creep coefficient",
-                                               Ranges::coefficient)};
-    Formula creep_exponent{"1",
-                           material_formula("Creep exponent",
-                                            Ranges::creep_exponent)};
+    std::map<std::string, Formula> of_creep; ///< see CreepLawParameter
     FormulaMatrix viscosity_matrix{"", material_matrix("Viscosity matrix")};
     Formula viscosity_time_factor{"1", time_factor("Viscosity time factor")};
     Parsed<std::vector<ChainBranch>> chain{"", parse_chain};
@@ -130,6 +125,14 @@ namespace Crevasse
     /** All free strains: code that handles one handles each. */
     std::vector<FreeStrain>
     free_strains() const;
+
+    /** Null: creep is linear, or there is none. */
+    const CreepLaw *
+    creep_law() const
+    {
+      const auto law = traits(viscosity).creep_law;
+      return law == nullptr ? nullptr : &law();
+    }
 
     void
     add_parameters(dealii::ParameterHandler &prm);

@@ -5,6 +5,7 @@
 #define crevasse_parameters_selections_h
 
 #include <crevasse/base/selection.h>
+#include <crevasse/creep/creep_law.h>
 
 namespace Crevasse
 {
@@ -77,21 +78,28 @@ namespace Crevasse
   template <>
   struct Selection<ViscosityType>
   {
-    static constexpr NamedValue<ViscosityType> rows[] = {
-      {ViscosityType::relaxation_time, "relaxation time"},
-      {ViscosityType::isotropic, "isotropic"},
-      {ViscosityType::matrix, "matrix"},
-      {ViscosityType::chain, "chain"},
-      {ViscosityType::power_law, "power law"},
-      {ViscosityType::none, "none"}};
+    struct Row
+    {
+      ViscosityType value;
+      const char   *name;
+      /** Null: creep is linear, or there is none. */
+      const CreepLaw &(*creep_law)();
+    };
+    static constexpr Row rows[] = {
+      {ViscosityType::relaxation_time, "relaxation time", nullptr},
+      {ViscosityType::isotropic, "isotropic", nullptr},
+      {ViscosityType::matrix, "matrix", nullptr},
+      {ViscosityType::chain, "chain", nullptr},
+      {ViscosityType::power_law, "power law", power_law},
+      {ViscosityType::none, "none", nullptr}};
     static constexpr const char *meaning =
       "How the body creeps: \"relaxation time\" makes the viscosity the "
       "stiffness (without its time factor) times Relaxation time; "
       "\"isotropic\" builds it from Viscous modulus and Viscous Poisson ratio; "
       "\"matrix\" is Viscosity matrix; \"chain\" puts several such bodies in "
-      "parallel; \"power law\" creeps by a power of the stress, at the rate "
-      "Creep coefficient times the stress to the Creep exponent under tension, "
-      "and keeps the volume; \"none\" is an elastic body.";
+      "parallel; \"none\" is an elastic body. The others keep the volume, and "
+      "creep under tension at the rate Creep coefficient times: \"power law\" "
+      "stress ^ Creep exponent.";
   };
 
   /** Volumetric part of the strain: of the displacement gradient at the point,

@@ -154,7 +154,7 @@ namespace Crevasse
       "\"exponential\" of order 2, exact where the strain is held, \"sdirk2\" "
       "of order 2, implicit, and \"trapezoid\" of order 2, implicit, in which "
       "fast components oscillate instead of decaying: it is refused for creep "
-      "by a power law. \"arkode explicit\" and \"arkode implicit\" are "
+      "that is not linear. \"arkode explicit\" and \"arkode implicit\" are "
       "methods of the library ARKODE, of the Order given. \"automatic\" is "
       "\"trapezoid\" where all instants are solved for "
       "at once (see Periodic state/Method), otherwise \"sdirk2\".";

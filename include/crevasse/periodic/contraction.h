@@ -29,7 +29,8 @@ namespace Crevasse
   class Contraction
   {
   public:
-    /** @param exponent n of the power law; 1: relaxation is linear. */
+    /** @param exponent of the creep law where the stress vanishes; 1:
+     * relaxation is linear. */
     explicit Contraction(const double exponent = 1.)
       : exponent(exponent)
     {

@@ -15,9 +15,9 @@
 namespace Crevasse
 {
   /**
-   * The stage r = r̂ + c ṙ of an implicit scheme where creep follows a power
-   * law. With the stress s(e) of CreepPower::relaxed_stress() at each point the
-   * body has an incremental potential, which is convex, and
+   * The stage r = r̂ + c ṙ of an implicit scheme where creep is not linear. With
+   * the stress s(e) of CreepPoint::relaxed_stress() at each point the body has
+   * an incremental potential, which is convex, and
    *
    *     ∫ Dᵀ s(Dq − f − r̂) − loads = Lᵀ g,     0 ≤ g ⟂ Lq − gap ≥ 0.
    *
@@ -65,6 +65,14 @@ namespace Crevasse
           State        &state,
           Vector       &right_hand_side);
 
+    /** ṙ under a stress, such as that of the last solution.
+     *
+     * @return the largest relaxation rate of this rank's points. */
+    static double
+    rates(const MaterialState<dim> &material,
+          const Vector             &stress,
+          Vector                   &rate);
+
     /** Shows where the next stages start. */
     void
     serialize(StateArchive &archive);
@@ -73,7 +81,7 @@ namespace Crevasse
     /** What belongs to the stage that is solved. */
     struct Stage
     {
-      const double               t, c, kappa;
+      const double               t, c, log_kappa;
       const InelasticStrain<dim> known;
       Tangent<dim>               tangent;
       State                     &state;

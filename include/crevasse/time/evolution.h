@@ -226,9 +226,9 @@ namespace Crevasse
                    const double                c,
                    Vector                     &rate);
 
-    /** Rates of power-law creep at the last stress. */
+    /** Stress of the last displacement. */
     void
-    power_law_rates(const double t, Vector &rate);
+    set_stress(const InelasticStrain<dim> &inelastic);
 
     /** Stress and rate of one Maxwell body that is the same everywhere. */
     void

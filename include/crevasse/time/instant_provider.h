@@ -28,12 +28,12 @@ namespace Crevasse
     ContactSolver *contact_solver;
   };
 
-  /** What Newton's method works with where creep by a power law is implicit. */
+  /** What Newton's method works with where nonlinear creep is implicit. */
   template <int dim>
   struct Tangent
   {
     /** ds/de without its factor k: that of some stress, see
-     * CreepPower::relaxed_stiffness(). */
+     * CreepPoint::relaxed_stiffness(). */
     const PointValues<VoigtMatrix<dim>> *moduli;
     ContactSolver                       *contact_solver; ///< of these moduli
   };

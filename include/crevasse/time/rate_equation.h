@@ -59,8 +59,8 @@ namespace Crevasse
     /** For each entry of r what it takes to change the root mean square of the
      * stress over the volume by 1 where the strain is held: the norm of an
      * error of r divided by this is the error of the stress. (At a crack tip
-     * the largest stress depends on the mesh, and of a power law it relaxes at
-     * once.)
+     * the largest stress depends on the mesh, and of nonlinear creep it relaxes
+     * at once.)
      *
      * @param[out] scale with the layout of r; given its size here. */
     virtual void

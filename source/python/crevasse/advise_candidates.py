@@ -83,7 +83,8 @@ def steps_by_tolerance(scene):
 
 
 def families_in_time(scene):
-    linear = scene["Material/Viscosity"] != "power law"
+    linear = scene["Material/Viscosity"] in (
+        "relaxation time", "isotropic", "matrix", "chain", "none")
     return [equal_steps(scene, "heun"), equal_steps(scene, "rk4", has_lip(scene)),
             equal_steps(scene, "sdirk2"),
             *([equal_steps(scene, "trapezoid")] if linear else []),

@@ -94,7 +94,8 @@ def singular_stress(run, table, t):
     n, A = (number(run.parameter(f"Material/Creep {name}"))
             for name in ("exponent", "coefficient"))
     ages = run.parameter("Material/Viscosity time factor") not in ("", "1")
-    if n is None or A is None or not A > 0 or ages:
+    is_power = run.parameter("Material/Viscosity") == "power law"
+    if n is None or A is None or not A > 0 or ages or not is_power:
         return "", None
     I, hoop = singular_field(run.parameter("Material/Plane state"), n)
     return (f"(C/(A I$_n$ r))$^{{1/(n+1)}}$ σ$_n$, C(t) = {value:.4g}",
