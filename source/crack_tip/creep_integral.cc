@@ -22,7 +22,7 @@ namespace Crevasse
                const std::size_t       point,
                const VoigtVector<2>   &stress)
     {
-      return (*material.creep)[point].rate(stress, 1.).of_strain /
+      return (*material.creep)[point].rate(stress, {}, 1.).of_state /
              material.viscosity_factor;
     }
 

@@ -161,6 +161,7 @@ namespace Crevasse
       }
 
     constant.plane_stress = law.plane_stress;
+    constant.hardens      = law.hardens();
     for (const auto &branch : law.branches)
       {
         constant.fractions.push_back(branch.fraction);
@@ -369,6 +370,26 @@ namespace Crevasse
       });
     set_factors(t, state);
     return state;
+  }
+
+
+
+  template <int dim>
+  void
+  MaterialField<dim>::exchange_states(const bool to_strains, Vector &r) const
+  {
+    using Field = QuadratureField<dim>;
+    if (!law.hardens())
+      return;
+    const auto creep = at(0.).creep;
+    for (std::size_t p = 0; p < n_points; ++p)
+      {
+        const VoigtVector<dim> here = Field::get(r, p * Field::n_components);
+        Field::set(r,
+                   p * Field::n_components,
+                   to_strains ? (*creep)[p].strains(here)
+                              : (*creep)[p].state(here));
+      }
   }
 
 

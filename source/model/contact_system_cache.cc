@@ -182,11 +182,13 @@ namespace Crevasse
   Tangent<dim>
   ContactSystemCache<dim>::tangent_at(const double  t,
                                       const double  c,
-                                      const Vector &stress)
+                                      const Vector &stress,
+                                      const Vector &known)
   {
     ++of_the_past.implicit_stages;
     const auto *kept = tangents.nearest(t);
-    return use(t, kept != nullptr ? *kept : tangents.renew(t, c, stress));
+    return use(t,
+               kept != nullptr ? *kept : tangents.renew(t, c, stress, known));
   }
 
 

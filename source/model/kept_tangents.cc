@@ -57,7 +57,10 @@ namespace Crevasse
 
   template <int dim>
   const typename KeptTangents<dim>::Kept &
-  KeptTangents<dim>::renew(const double t, const double c, const Vector &stress)
+  KeptTangents<dim>::renew(const double  t,
+                           const double  c,
+                           const Vector &stress,
+                           const Vector &known)
   {
     using Field                            = QuadratureField<dim>;
     const MaterialState<dim>     &material = makers.material(t);
@@ -65,6 +68,8 @@ namespace Crevasse
     for (std::size_t point = 0; point < moduli.size(); ++point)
       moduli[point] = (*material.creep)[point].relaxed_stiffness(
         Field::get(stress, point * Field::n_components),
+        Field::get(known, point * Field::n_components),
+        material.stiffness_factor,
         std::log(material.kappa(c)));
 
     const auto drop = [this](const auto entry) {
@@ -74,7 +79,7 @@ namespace Crevasse
       tangents.erase(entry);
     };
     drop(tangents.find(t));
-    Kept made{c, stress, Moduli(std::move(moduli)), {}};
+    Kept made{c, stress, known, Moduli(std::move(moduli)), {}};
     made.system = makers.system(made.moduli);
     if (!tangents.empty() &&
         (tangents.size() == most ||
@@ -110,17 +115,20 @@ namespace Crevasse
     for (const double t : instants)
       {
         double c = 0.;
-        Vector stress;
+        Vector stress, known;
         body.points.initialize(stress);
+        body.points.initialize(known);
         if (!archive.is_loading())
           {
             c      = tangents.at(t).c;
             stress = tangents.at(t).stress;
+            known  = tangents.at(t).known;
           }
         archive.common(c);
         archive.at_points(stress);
+        archive.at_points(known);
         if (archive.is_loading())
-          renew(t, c, stress);
+          renew(t, c, stress, known);
         tangents.at(t).system->contact_solver().serialize(archive);
       }
   }

@@ -150,7 +150,17 @@ namespace Crevasse
       }
     if (const CreepLaw *law = creep_law())
       for (const CreepLawParameter &parameter : law->parameters)
-        checker.demand_valid(parameter.name, of_creep.at(parameter.name));
+        {
+          const Formula &formula = of_creep.at(parameter.name);
+          checker.demand_valid(parameter.name, formula);
+          const bool is_m =
+            law->hardens && &parameter == &law->parameters.back();
+          checker.demand(!is_m || !formula.is_valid() ||
+                           !(formula->depends_on("t") ||
+                             formula->depends_on("theta")),
+                         parameter.name,
+                         "must not depend on t or theta");
+        }
   }
 
 

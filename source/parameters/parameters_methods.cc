@@ -237,9 +237,9 @@ namespace Crevasse
       "Creep integral",
       creep_integral,
       "Whether creep_integral.csv has the integral C(t) of each step, in the "
-      "plane where creep is not linear, or creep_integral_1.csv, "
-      "creep_integral_2.csv, ... those of each tip of cracks with two lips. In "
-      "steady creep it is C*.");
+      "plane where creep is not linear and does not harden, or "
+      "creep_integral_1.csv, creep_integral_2.csv, ... those of each tip of "
+      "cracks with two lips. In steady creep it is C*.");
     add_selection("Method", method, prm);
     prm.add_parameter(
       "Radius",

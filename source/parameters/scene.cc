@@ -109,11 +109,13 @@ namespace Crevasse
                          "C(t)");
       crack_tip.demand(!scene.crack_tip.creep_integral ||
                          (is_plane && !scene.is_axisymmetric() && !is_linear &&
+                          !scene.material.creep_law()->hardens &&
                           singular_functions(scene).n == 0),
                        "Creep integral",
-                       "is for creep that is not linear, such as [Material] "
-                       "Viscosity = power law, in plane stress or strain, with "
-                       "[Discretisation] Singular functions = 0");
+                       "is for creep that is not linear and does not harden, "
+                       "such as [Material] Viscosity = power law, in plane "
+                       "stress or strain, with [Discretisation] Singular "
+                       "functions = 0");
       if (!scene.is_axisymmetric())
         return;
       crack_tip.demand(scene.crack_tip.method !=

@@ -119,6 +119,11 @@ namespace Crevasse
         throw SceneError(choice.why +
                          ": the viscous strain may not be periodic, because " +
                          flow + ". Use Method = march.");
+      if (choice.method == Method::anderson && body.law.hardens())
+        throw SceneError(choice.why +
+                         ": the creep strain that hardens the body never "
+                         "falls, so that nothing but its stress may be "
+                         "periodic. Use Method = march, which looks at it.");
       if (choice.method == Method::anderson && body.law.creep != nullptr &&
           has_mean_load(body, steps))
         throw SceneError(

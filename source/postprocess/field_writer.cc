@@ -8,6 +8,7 @@
 #include <crevasse/postprocess/field_writer.h>
 #include <crevasse/postprocess/paraview_script.h>
 #include <crevasse/postprocess/principal_stresses.h>
+#include <crevasse/time/inelastic_strain.h>
 
 #include <deal.II/base/data_out_base.h>
 
@@ -195,19 +196,21 @@ namespace Crevasse
       grid.nodal("displacement", 3, space.dof_handler, displacement));
     const auto stress = grid.recovered(snapshot.state.stress);
     arrays.push_back(grid.tensor("stress", stress));
-    const unsigned int n_branches = // 0: elastic
-      snapshot.viscous_strain.size() / snapshot.state.stress.size();
-    constexpr unsigned int n = n_stress_components<dim>;
-    for (unsigned int i = 0; i < n_branches; ++i)
+    const MaterialState<dim>   material = body.material.at(instant);
+    const InelasticStrain<dim> inelastic(material, snapshot.viscous_strain);
+    for (unsigned int i = 0; i < inelastic.n_branches; ++i)
       {
         Vector branch = snapshot.state.stress; // for its layout
-        for (unsigned int k = 0; k < branch.locally_owned_size(); ++k)
-          branch.local_element(k) =
-            // Tensors have half the engineering shears.
-            (k % n < 3 ? 1. : 0.5) * snapshot.viscous_strain.local_element(
-                                       (k / n * n_branches + i) * n + k % n);
+        for (std::size_t offset = 0; offset < branch.locally_owned_size();
+             offset += inelastic.n)
+          {
+            VoigtVector<dim> r = inelastic.branch(offset, i);
+            for (unsigned int k = 3; k < inelastic.n; ++k)
+              r[k] *= 0.5; // tensors have half the engineering shears
+            QuadratureField<dim>::set(branch, offset, r);
+          }
         arrays.push_back(
-          grid.tensor(n_branches == 1
+          grid.tensor(inelastic.n_branches == 1
                         ? "viscous_strain"
                         : "viscous_strain_branch_" + std::to_string(i + 1),
                       grid.recovered(branch)));

@@ -48,7 +48,7 @@ namespace Crevasse
                    body.space.largest_component(now.displacement));
         if (sample.viscous_strain.size() > 0)
           viscous_strain =
-            std::max(viscous_strain, sample.viscous_strain.linfty_norm());
+            std::max(viscous_strain, largest_strain(sample.viscous_strain));
         if (body.effects.contact.on)
           lip = body.lip.totals(now.displacement, now.contact_forces);
         state.largest_opening =
@@ -113,6 +113,16 @@ namespace Crevasse
       LipTotals lip; ///< state at the last sample
 
     private:
+      double
+      largest_strain(const Vector &r) const
+      {
+        if (!body.law.hardens())
+          return r.linfty_norm();
+        Vector strains = r;
+        body.material.exchange_states(true, strains);
+        return strains.linfty_norm();
+      }
+
       const Run<dim>  &run;
       const Body<dim> &body;
       RunState        &state;

@@ -84,10 +84,12 @@ namespace Crevasse
   void
   CreepStage<dim>::evaluate(Stage &stage, Vector &right_hand_side)
   {
-    using Field            = QuadratureField<dim>;
-    const auto     &law    = *stage.known.material.creep;
-    const auto     &moduli = *stage.tangent.moduli;
-    const double    k      = stage.state.stiffness_factor;
+    using Field             = QuadratureField<dim>;
+    const auto     &law     = *stage.known.material.creep;
+    const auto     &moduli  = *stage.tangent.moduli;
+    const auto     &known   = stage.known;
+    const double    k       = stage.state.stiffness_factor;
+    const bool      hardens = known.material.hardens;
     const Stopwatch watch("strain sweeps");
     // One rank alone may have the point of an error: the sweep communicates.
     std::optional<NumericalError> not_found;
@@ -98,10 +100,11 @@ namespace Crevasse
         const std::size_t point = offset / Field::n_components;
         try
           {
-            const VoigtVector<dim> stress =
-              law[point].relaxed_stress(strain - stage.known(offset),
-                                        k,
-                                        stage.log_kappa);
+            const VoigtVector<dim> stress = law[point].relaxed_stress(
+              hardens ? strain - known.thermal(offset) : strain - known(offset),
+              hardens ? Field::get(known.r, offset) : VoigtVector<dim>(),
+              k,
+              stage.log_kappa);
             Field::set(stage.state.stress, offset, stress);
             Field::set(excess, offset, k * (moduli[point] * strain) - stress);
           }
@@ -206,7 +209,8 @@ namespace Crevasse
           }
         if (!(residual <= last_residual))
           cut_step(stage);
-        stage.tangent = instants.renew_tangent(stage.t, stage.c, state.stress);
+        stage.tangent =
+          instants.renew_tangent(stage.t, stage.c, state.stress, stage.known.r);
         evaluate(stage, right_hand_side);
         acceleration.emplace(combined);
       }
@@ -247,8 +251,9 @@ namespace Crevasse
                         std::log(material.kappa(to)),
                         InelasticStrain<dim>(material, known),
                         // The tangent of a trial that failed is useless.
-                        has_failed ? instants.renew_tangent(t, to, state.stress)
-                                            : instants.tangent_at(t, to, state.stress),
+                        has_failed
+                                   ? instants.renew_tangent(t, to, state.stress, known)
+                                   : instants.tangent_at(t, to, state.stress, known),
                         state};
             ContactSolver &solver =
               iterate(stage, to < c ? loose : tolerance, right_hand_side);
@@ -277,21 +282,24 @@ namespace Crevasse
 
   template <int dim>
   double
-  CreepStage<dim>::rates(const MaterialState<dim> &material,
-                         const Vector             &stress,
-                         Vector                   &rate)
+  CreepStage<dim>::rates(const InelasticStrain<dim> &known,
+                         const double                c,
+                         const Vector               &stress,
+                         Vector                     &rate)
   {
-    using Field               = QuadratureField<dim>;
-    constexpr std::size_t n   = Field::n_components;
-    double                all = 0.;
+    using Field                        = QuadratureField<dim>;
+    const MaterialState<dim> &material = known.material;
+    double                    all      = 0.;
     for (std::size_t offset = 0; offset < stress.locally_owned_size();
-         offset += n)
+         offset += known.n)
       {
         const auto here =
-          (*material.creep)[offset / n].rate(Field::get(stress, offset),
-                                             material.stiffness_factor);
+          (*material.creep)[offset / known.n].rate(Field::get(stress, offset),
+                                                   Field::get(known.r, offset),
+                                                   material.stiffness_factor,
+                                                   material.kappa(c));
         all = std::max(all, here.of_relaxation);
-        Field::set(rate, offset, here.of_strain / material.viscosity_factor);
+        Field::set(rate, offset, here.of_state / material.viscosity_factor);
       }
     return all / material.viscosity_factor;
   }

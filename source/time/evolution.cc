@@ -81,8 +81,9 @@ namespace Crevasse
     solve_explicitly(t, instant, r);
     if (material.creep != nullptr)
       {
-        set_stress(InelasticStrain<dim>(material, r));
-        fastest = creep_stage.rates(material, last.stress, rate);
+        const InelasticStrain<dim> inelastic(material, r);
+        set_stress(inelastic);
+        fastest = creep_stage.rates(inelastic, 0., last.stress, rate);
       }
     else if (material.is_plain() && flow == nullptr)
       plain_rate(material, r, rate);
@@ -191,7 +192,10 @@ namespace Crevasse
     if (instants.material_at(t).creep != nullptr)
       {
         last_solver = &creep_stage.solve(t, known, c, last, loading);
-        creep_stage.rates(instants.material_at(t), last.stress, rate);
+        creep_stage.rates({instants.material_at(t), known},
+                          c,
+                          last.stress,
+                          rate);
         ++evaluations;
         return;
       }
@@ -351,6 +355,14 @@ namespace Crevasse
           std::max(largest, dealii::Utilities::MPI::sum(sum, communicator));
       }
     elastic_stress = std::sqrt(largest);
+    const MaterialState<dim> &material =
+      instants.material_at(all_instants.front());
+    if (material.hardens && elastic_stress > 0.) // r is strain to the 1 + m
+      for (std::size_t p = 0; p < shares.size(); ++p)
+        stress_scales[p] /=
+          std::pow(elastic_stress * std::sqrt(shares[p] / volume) /
+                     stress_scales[p],
+                   (*material.creep)[p].constants.back());
   }
 
 

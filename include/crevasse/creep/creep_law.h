@@ -24,10 +24,11 @@ namespace Crevasse
    * A law of creep that is not linear in the stress and keeps the volume. The
    * creep rate is
    *
-   *     ε̇ᶜ = η₀(t)⁻¹ f(s) N,      N = 3/2 dev σ / s,
+   *     ε̇ᶜ = η₀(t)⁻¹ f(s) ε_c^(−m) N,      N = 3/2 dev σ / s,
    *
-   * with von Mises' stress s of the stress σ. CreepPoint integrates it. The
-   * table of ViscosityType names all laws.
+   * with von Mises' stress s of the stress σ and the accumulated creep strain
+   * ε_c = ∫ √(2/3 ε̇ᶜ : ε̇ᶜ) dt. CreepPoint integrates it. The table of
+   * ViscosityType names all laws.
    */
   struct CreepLaw
   {
@@ -55,6 +56,18 @@ namespace Crevasse
     DualPotential (*dual_potential)(const Constants &c,
                                     const double     log_stress);
 
+    /** Whether the last constant is m; otherwise m is 0. */
+    bool hardens = false;
+
+    /** Parameters of this law, and one more. */
+    std::vector<CreepLawParameter>
+    parameters_and(const CreepLawParameter &more) const
+    {
+      std::vector<CreepLawParameter> all = parameters;
+      all.push_back(more);
+      return all;
+    }
+
     /** λ where s tends to 0, which tells how a stress dies out. */
     double
     least_exponent(const Constants &c) const
@@ -64,8 +77,14 @@ namespace Crevasse
     }
   };
 
+  /** f = A sⁿ (Norton and Odqvist). */
   const CreepLaw &
   power_law();
+
+  /** f = A sⁿ with m ≥ 0 (Norton and Bailey, primary creep): under a constant
+   * stress ε_c = ((1 + m) A sⁿ t)^(1/(1+m)). */
+  const CreepLaw &
+  strain_hardening();
 } // namespace Crevasse
 
 #endif

@@ -27,7 +27,8 @@ namespace Crevasse
     double                                       spring = 1.; ///< 1 − Σ wᵢ
     std::vector<std::shared_ptr<const Matrices>> fluidity;    ///< Hᵢ
     std::shared_ptr<const PointValues<CreepPoint<dim>>>
-                                   creep;          ///< null: linear creep
+         creep;           ///< null: linear creep
+    bool hardens = false; ///< whether r is a state of CreepPoint
     std::shared_ptr<const Vectors> thermal_strain; ///< f, such as χθ, or null
 
     /** Whether stiffness and viscosity have no row 33. */
@@ -92,6 +93,11 @@ namespace Crevasse
      * formula or table has no value, or one that a material cannot have. */
     MaterialState<dim>
     at(const double t) const;
+
+    /** Turns states of creep that hardens into the r + ε_c I of CreepPoint, or
+     * back; r of other laws remains. Collective. */
+    void
+    exchange_states(const bool to_strains, Vector &r) const;
 
     /** Sets the factors k and η₀ of a state for another instant.
      * @throw SceneError if one is not positive. */

@@ -24,7 +24,7 @@ namespace Crevasse
    * one.
    *
    * Creep that is not linear is one branch, with the H of N = Hs/s, see
-   * CreepLaw.
+   * CreepLaw; where it hardens, CreepPoint tells what stands for r.
    */
   template <int dim>
   class MaxwellLaw
@@ -53,6 +53,12 @@ namespace Crevasse
 
     /** The law of the one branch; null: the branches are linear. */
     const CreepLaw *const creep;
+
+    bool
+    hardens() const
+    {
+      return creep != nullptr && creep->hardens;
+    }
 
     /** Constants of the creep law; without formulas: there is none. */
     const Property<CreepLaw::Constants> creep_constants;

@@ -58,12 +58,18 @@ namespace Crevasse
     implicit_material_at(const double t, const double c) override;
 
     Tangent<dim>
-    tangent_at(const double t, const double c, const Vector &stress) override;
+    tangent_at(const double  t,
+               const double  c,
+               const Vector &stress,
+               const Vector &known) override;
 
     Tangent<dim>
-    renew_tangent(const double t, const double c, const Vector &stress) override
+    renew_tangent(const double  t,
+                  const double  c,
+                  const Vector &stress,
+                  const Vector &known) override
     {
-      return use(t, tangents.renew(t, c, stress));
+      return use(t, tangents.renew(t, c, stress, known));
     }
 
     const RelaxationFunctions<dim> &

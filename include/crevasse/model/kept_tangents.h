@@ -35,7 +35,7 @@ namespace Crevasse
     struct Kept
     {
       double                  c = 0.;
-      Vector                  stress;
+      Vector                  stress, known; ///< r̂
       Moduli                  moduli{VoigtMatrix<dim>()};
       std::shared_ptr<System> system;
     };
@@ -50,10 +50,14 @@ namespace Crevasse
     const Kept *
     nearest(const double t) const;
 
-    /** Creates the tangent at a stress at @p t for r = r̂ + c ṙ. It replaces
-     * the nearest tangent if there is no memory for more. Collective. */
+    /** Creates the tangent at a stress at @p t for r = r̂ + c ṙ of a known r̂. It
+     * replaces the nearest tangent if there is no memory for more. Collective.
+     */
     const Kept &
-    renew(const double t, const double c, const Vector &stress);
+    renew(const double  t,
+          const double  c,
+          const Vector &stress,
+          const Vector &known);
 
     /** Statistics of all tangents, past ones included. */
     SolverStatistics

@@ -72,6 +72,7 @@ namespace Crevasse
     matrix,
     chain,
     power_law,
+    strain_hardening,
     none
   };
 
@@ -91,6 +92,7 @@ namespace Crevasse
       {ViscosityType::matrix, "matrix", nullptr},
       {ViscosityType::chain, "chain", nullptr},
       {ViscosityType::power_law, "power law", power_law},
+      {ViscosityType::strain_hardening, "strain hardening", strain_hardening},
       {ViscosityType::none, "none", nullptr}};
     static constexpr const char *meaning =
       "How the body creeps: \"relaxation time\" makes the viscosity the "
@@ -99,7 +101,8 @@ namespace Crevasse
       "\"matrix\" is Viscosity matrix; \"chain\" puts several such bodies in "
       "parallel; \"none\" is an elastic body. The others keep the volume, and "
       "creep under tension at the rate Creep coefficient times: \"power law\" "
-      "stress ^ Creep exponent.";
+      "stress ^ Creep exponent; \"strain hardening\" stress ^ Creep exponent "
+      "/ (creep strain ^ Hardening exponent).";
   };
 
   /** Volumetric part of the strain: of the displacement gradient at the point,

@@ -17,7 +17,7 @@ namespace Crevasse
   /**
    * The stage r = r̂ + c ṙ of an implicit scheme where creep is not linear. With
    * the stress s(e) of CreepPoint::relaxed_stress() at each point the body has
-   * an incremental potential, which is convex, and
+   * an incremental potential, which is convex without hardening, and
    *
    *     ∫ Dᵀ s(Dq − f − r̂) − loads = Lᵀ g,     0 ≤ g ⟂ Lq − gap ≥ 0.
    *
@@ -67,11 +67,13 @@ namespace Crevasse
 
     /** ṙ under a stress, such as that of the last solution.
      *
+     * @param known r, or r̂ where r = r̂ + c ṙ.
      * @return the largest relaxation rate of this rank's points. */
     static double
-    rates(const MaterialState<dim> &material,
-          const Vector             &stress,
-          Vector                   &rate);
+    rates(const InelasticStrain<dim> &known,
+          const double                c,
+          const Vector               &stress,
+          Vector                     &rate);
 
     /** Shows where the next stages start. */
     void

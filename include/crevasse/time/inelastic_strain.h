@@ -39,13 +39,22 @@ namespace Crevasse
                : (*material.thermal_strain)[offset / n];
     }
 
+    /** rᵢ */
+    VoigtVector<dim>
+    branch(const std::size_t offset, const unsigned int i) const
+    {
+      const VoigtVector<dim> state = Field::get(r, place(offset, i));
+      return material.hardens ? (*material.creep)[offset / n].strain(state)
+                              : state;
+    }
+
     /** Σ wᵢ rᵢ + χθ */
     VoigtVector<dim>
     operator()(const std::size_t offset) const
     {
       VoigtVector<dim> strain = thermal(offset);
       for (unsigned int i = 0; i < n_branches; ++i)
-        strain += material.fractions[i] * Field::get(r, place(offset, i));
+        strain += material.fractions[i] * branch(offset, i);
       return strain;
     }
 

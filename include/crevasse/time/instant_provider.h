@@ -63,11 +63,17 @@ namespace Crevasse
     /** The tangent that was made last, by renew_tangent() with these arguments
      * if there is none. */
     virtual Tangent<dim>
-    tangent_at(const double t, const double c, const Vector &stress) = 0;
+    tangent_at(const double  t,
+               const double  c,
+               const Vector &stress,
+               const Vector &known) = 0;
 
-    /** Makes the moduli of this stress, for r = r̂ + c ṙ. */
+    /** Makes the moduli of this stress, for r = r̂ + c ṙ of a known r̂. */
     virtual Tangent<dim>
-    renew_tangent(const double t, const double c, const Vector &stress) = 0;
+    renew_tangent(const double  t,
+                  const double  c,
+                  const Vector &stress,
+                  const Vector &known) = 0;
 
     /** How the material relaxes over a time c, as at @p t. */
     virtual const RelaxationFunctions<dim> &
