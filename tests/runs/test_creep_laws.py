@@ -1,17 +1,22 @@
-"""Creep with strain hardening: closed forms of bars, orders of schemes, units, the limit
-without hardening, meshes and checkpoints."""
+"""Creep by a hyperbolic sine and with strain hardening: closed forms of bars and of a
+tube, orders of schemes, units, limits that are power laws, C*, meshes and checkpoints."""
 
 import functools
 import math
 
+import numpy
+import tubes
 from bars import BAR
-from crevasse_run import SOURCE, check, check_below, execute, overrides, run
+from crevasse_run import SOURCE, check, check_below, check_close, execute, full, overrides, run
 from interrupted_runs import COMMON, check_same_bytes, finish, fresh, interrupt, reference
+from test_creep_integral import SCENE as CRACKED
+from test_creep_integral import rings
 
 E = 13000.
 HELD = ["Loads/Traction=", "Boundary/Loaded=none", "Boundary/Symmetry=2, 3",
         "Material/Thermal expansion=1e-5"]
-LAWS = {"power law": "", "strain hardening": "Hardening exponent"}
+LAWS = {"power law": "", "hyperbolic sine": "Reference stress",
+        "strain hardening": "Hardening exponent"}
 
 
 def creep(name, A, n, more=None):
@@ -21,6 +26,7 @@ def creep(name, A, n, more=None):
 
 
 power = functools.partial(creep, "power law")
+sine = functools.partial(creep, "hyperbolic sine")
 hardening = functools.partial(creep, "strain hardening")
 
 
@@ -44,7 +50,8 @@ def test_constant_stress():
     s, n, m = 10., 3, 2.
     A = 1e-15 * s ** -n
     for name, law, crept in (
-            ("hardening", hardening(A, n, m), lambda t: hardened(A, n, m, s ** n * t)),):
+            ("sine", sine(1e-8, n, 4), lambda t: 1e-8 * math.sinh(s / 4) ** n * t),
+            ("hardening", hardening(A, n, m), lambda t: hardened(A, n, m, s ** n * t))):
         for scheme in ("euler", "heun", "sdirk2", "arkode explicit", "arkode implicit"):
             table = top(f"{name}_{scheme.replace(' ', '_')}", [
                 *law, *with_scheme(scheme), f"Loads/Traction=0; {s}"])
@@ -65,11 +72,13 @@ def test_varying_stress():
     """Under a load that grows from rest, and under one that is reversed at once; at the
     end of the period the load is that of its beginning."""
     n, m = 3, 2.
-    A, rate = 1e-15 * 10. ** -n, 10 / 600
+    A, rate, s_0 = 1e-15 * 10. ** -n, 10 / 600, 3.
     load = [f"Loads/Traction=0; {rate!r}*t"]
     for name, law, crept in (
+            ("sine", sine(1e-7, 1, s_0),
+             1e-7 * s_0 / rate * (math.cosh(600 * rate / s_0) - 1)),
             ("hardening", hardening(A, n, m),
-             hardened(A, n, m, rate ** n * 600 ** (n + 1) / (n + 1))),):
+             hardened(A, n, m, rate ** n * 600 ** (n + 1) / (n + 1)))):
         for scheme, order in (("heun", 2), ("sdirk2", 2), ("arkode implicit", 4)):
             check_order(f"{name}, {scheme}, growing stress", lambda steps: abs(
                 top("growing", [*law, *load, *with_scheme(scheme),
@@ -84,6 +93,12 @@ def test_varying_stress():
                               f"Loads/Traction=0; if(t < 300, {s}, {-s})",
                               f"Time integration/Steps per period={steps}"
                               ])["u_2"][-1] - s / E) / (2 * before - after) - 1), 2)
+
+
+def relaxed_by_sine(t, start, A, s_0):
+    """Of s' = -E A sinh(s / s_0)."""
+    left = math.tanh(start / (2 * s_0)) * math.exp(-E * A * t / s_0)
+    return 2 * s_0 * math.atanh(left)
 
 
 def relaxed_with_hardening(t, start, A):
@@ -102,8 +117,9 @@ def cooled(start):
 def test_relaxation():
     """A bar that is cooled at once, held at both ends."""
     for name, law, exact in (
+            ("sine", sine(1e-7, 1, 2.), lambda t: relaxed_by_sine(t, 10., 1e-7, 2.)),
             ("hardening", hardening(1e-10, 1, 1.),
-             lambda t: relaxed_with_hardening(t, 10., 1e-10)),):
+             lambda t: relaxed_with_hardening(t, 10., 1e-10))):
         for scheme in ("heun", "sdirk2"):
             def error(steps, law=law, exact=exact, scheme=scheme):
                 table = top("relaxing", [
@@ -119,6 +135,24 @@ def test_relaxation():
         check_below(max(abs(s - relaxed_with_hardening(t, 10., 1e-10)) for t, s in
                         zip(table["t"][1:], table["s_22"][1:], strict=True)) / 10.,
                     1e-4, f"hardening, {scheme}, adaptive, relaxation")
+
+
+def test_far_beyond_the_reference_stress():
+    """Arguments of the sine up to 10⁵, whose exponential is no number: what relaxes
+    forgets where it began, but for the sign that the second stage of a long step may
+    leave. Explicit steps are refused."""
+    A, s_0 = 1e-7, 2.
+    steps = ", ".join(str(600 * 10. ** (-k / 8)) for k in range(64, 0, -1))
+    for start in (200., 2e5):
+        table = top("far_beyond", [
+            *sine(A, 1, s_0), *cooled(start), *with_scheme("sdirk2"),
+            "Time integration/Step control=list", f"Time integration/Steps={steps}"])
+        exact = 2 * s_0 * math.atanh(math.exp(-E * A * 600 / s_0))
+        check_close(abs(table["s_22"][-1] / exact), 1, 0.02, f"relaxed from {start}")
+    status, _, error = execute(
+        "far_beyond.prm", "--output", "results/explicit",
+        *overrides([*sine(A, 1, s_0), *cooled(2e5), "Time integration/Scheme=heun"]))
+    check(status == 3 and "Creep coefficient" in error, error)
 
 
 def plate(name, law, more=()):
@@ -137,14 +171,16 @@ def apart(one, other):
 
 
 def test_limits():
-    """Without hardening it is the power law."""
-    A, n = 1e-6 * 20. ** -2, 3
+    """Small arguments of the sine, and no hardening, are the power law."""
+    A, n, s_0 = 1e-6 * 20. ** -2, 3, 1e7
     for scheme, steps in (("heun", 400), ("sdirk2", 20)):
         more = [*with_scheme(scheme), f"Time integration/Steps per period={steps}",
                 "Loads/Traction=0; 10*(sin(2*pi*t/600) - 0.2)"]
         expected = plate("power", power(A, n), more)
-        check_below(apart(plate("hardening", hardening(A, n, 0), more), expected), 1e-10,
-                    f"{scheme}, against the power law")
+        for name, law in (("sine", sine(A * s_0 ** n, n, s_0)),
+                          ("hardening", hardening(A, n, 0))):
+            check_below(apart(plate(name, law, more), expected), 1e-10,
+                        f"{name}, {scheme}, against the power law")
 
 
 def test_units():
@@ -158,9 +194,60 @@ def test_units():
 
     A, n, m = 1e-6 * 20. ** -2, 3, 1.5
     for name, law in (
-            ("hardening", lambda scale: hardening(A * 1e-4 ** m * scale ** -n, n, m)),):
+            ("sine", lambda scale: sine(1e-5, n, repr(8 * scale))),
+            ("hardening", lambda scale: hardening(A * 1e-4 ** m * scale ** -n, n, m))):
         check_below(apart(rows(law(1e6), 1e6), rows(law(1.), 1.)), 1e-9,
                     f"{name}, Pa against MPa")
+
+
+def test_tube():
+    """Steady creep of a thick tube under pressure by a sine of small arguments."""
+    n, s_0, radii = 5, 100., (1.25, 1.5, 1.75)
+    results = run(tubes.TUBE, "tube", [
+        tubes.write("tube.msh", 24, 24, order=1), *sine(1e-3 * s_0 ** n, n, s_0)[1:],
+        "Material/Young modulus=1000", "Discretisation/Degree=1",
+        "Discretisation/Volumetric strain=mean", "Loads/Period=30",
+        "Time integration/Scheme=sdirk2", "Time integration/Steps per period=300",
+        "Output/Probes=" + "; ".join(f"r{100 * r:.0f}: {r}, 0" for r in radii)])
+    for r in radii:
+        table = results.table(f"probe_r{100 * r:.0f}.csv")
+        ratio, size = (2 / r) ** (2 / n), 2 ** (2 / n) - 1
+        for column, exact in (("s_11", (1 - ratio) / size),
+                              ("s_22", (1 + (2 / n - 1) * ratio) / size)):
+            check_close(table[column][-1], exact, 1e-3, f"tube, r = {r}, {column}")
+
+
+@full
+def test_energies_of_crack_lengths():
+    """C* is the slope of the potential, which is the integral of the rate of the
+    load's displacement over the loads."""
+    points, weights = numpy.polynomial.legendre.leggauss(6)
+
+    def power_of(length, load):
+        results = run(CRACKED, "length", [
+            *sine(0.1, 3, 4.), f"Geometry/Crack length={length}", f"Loads/Traction=0; {load!r}"])
+        table = results.table("load_work.csv")
+        t, work = table["t"], table["load_work"]
+        return (work[-1] - work[-2]) / (t[-1] - t[-2]), results
+
+    def potential(length):
+        """Of both halves."""
+        return 2 * sum(weight / 2 * power_of(length, (1 + x) / 2)[0] * 2 / (1 + x)
+                       for x, weight in zip(points, weights, strict=True))
+    expected = (potential(0.505) - potential(0.495)) / 0.01
+    table = power_of(0.5, 1.)[1].table("creep_integral.csv")
+    check_close(table["C_t"][-1] / expected, 1, 5e-3, "C* over that of the energies")
+
+
+def test_graded_sine():
+    """A law that varies does not make C* depend on the square."""
+    graded = ["Creep coefficient=exp(2*x)", "Creep exponent=3 + x",
+              "Reference stress=8 + x"]
+    large, small = (run(rings(4, 1.3, 1e-3), "graded", [
+        *sine(1, 3, 8), *("Material/" + more for more in graded),
+        "Refinement/Strategy=none", f"Crack tip/Radius={r}"
+        ]).table("creep_integral.csv")["C_t"][-1] for r in (0.5, 0.1))
+    check_close(large / small, 1, 1e-2, "C* by squares of 0.5 and 0.1")
 
 
 def moving(*more):
@@ -220,7 +307,10 @@ def test_refusals():
             ([*hard, "Periodic state/Method=fourier"], "no harmonics of its own"),
             ([*hard, "Crack tip/Creep integral=true"], "does not harden"),
             (hardening(1e-12, 3, "1 + t/600"), "must not depend on t"),
-            (hardening(1e-12, 3, -1), "at least 0")):
+            (hardening(1e-12, 3, -1), "at least 0"),
+            ([*sine(1e-12, 3, 1.), "Time integration/Scheme=trapezoid"],
+             "Viscosity = hyperbolic sine is not"),
+            (sine(1e-12, 3, 0), "greater than 0")):
         status, _, error = execute("bar.prm", "--output", "results/refused",
                                    *overrides(settings))
         check(status == 2 and words in error, f"{settings}: {status}: {error}")
@@ -233,8 +323,12 @@ if __name__ == "__main__":
     test_constant_stress()
     test_varying_stress()
     test_relaxation()
+    test_far_beyond_the_reference_stress()
     test_limits()
     test_units()
+    test_tube()
+    test_energies_of_crack_lengths()
+    test_graded_sine()
     test_meshes()
     test_checkpoints()
     test_periodic_stress()

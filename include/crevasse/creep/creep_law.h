@@ -81,6 +81,12 @@ namespace Crevasse
   const CreepLaw &
   power_law();
 
+  /** f = A sinh(s/s₀)ⁿ (Garofalo, Fundamentals of Creep and Creep-Rupture in
+   * Metals, 1965): a power law of small stresses, an exponential of large ones.
+   */
+  const CreepLaw &
+  hyperbolic_sine();
+
   /** f = A sⁿ with m ≥ 0 (Norton and Bailey, primary creep): under a constant
    * stress ε_c = ((1 + m) A sⁿ t)^(1/(1+m)). */
   const CreepLaw &

@@ -72,6 +72,7 @@ namespace Crevasse
     matrix,
     chain,
     power_law,
+    hyperbolic_sine,
     strain_hardening,
     none
   };
@@ -92,6 +93,7 @@ namespace Crevasse
       {ViscosityType::matrix, "matrix", nullptr},
       {ViscosityType::chain, "chain", nullptr},
       {ViscosityType::power_law, "power law", power_law},
+      {ViscosityType::hyperbolic_sine, "hyperbolic sine", hyperbolic_sine},
       {ViscosityType::strain_hardening, "strain hardening", strain_hardening},
       {ViscosityType::none, "none", nullptr}};
     static constexpr const char *meaning =
@@ -101,7 +103,8 @@ namespace Crevasse
       "\"matrix\" is Viscosity matrix; \"chain\" puts several such bodies in "
       "parallel; \"none\" is an elastic body. The others keep the volume, and "
       "creep under tension at the rate Creep coefficient times: \"power law\" "
-      "stress ^ Creep exponent; \"strain hardening\" stress ^ Creep exponent "
+      "stress ^ Creep exponent; \"hyperbolic sine\" sinh(stress / Reference "
+      "stress) ^ Creep exponent; \"strain hardening\" stress ^ Creep exponent "
       "/ (creep strain ^ Hardening exponent).";
   };
 

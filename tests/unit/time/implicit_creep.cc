@@ -106,6 +106,10 @@ namespace
     for (const double n : {1., 3., 8., 50.})
       laws.push_back(
         {"n = " + Text::from_number(n), power_law(), {{log_a, n}}});
+    for (const double s_0 : {1e5, 10., 0.1}) // arguments up to 1e3
+      laws.push_back({"s_0 = " + Text::from_number(s_0),
+                      hyperbolic_sine(),
+                      {{log_a, 3., s_0}}});
     for (const double m : {0.5, 2.})
       laws.push_back({"m = " + Text::from_number(m),
                       strain_hardening(),
