@@ -187,11 +187,12 @@ namespace Crevasse
     constexpr unsigned int most  = 100;
     constexpr double       small = 1e-8; // its square is rounding
 
-    const VoigtVector<dim> &l         = modes.rates;
-    const VoigtVector<dim>  of_strain = k * (strain * modes.directions);
-    VoigtVector<dim>        elastic   = of_strain, of_known;
-    double                  w         = 0.;
-    const bool              hardens   = law->hardens;
+    const VoigtVector<dim> &l       = modes.rates;
+    const bool              hardens = law->hardens;
+    const VoigtVector<dim>  of_strain =
+      k * ((hardens ? strain : strain - known) * modes.directions);
+    VoigtVector<dim> elastic = of_strain, of_known;
+    double           w       = 0.;
     if (hardens)
       {
         VoigtVector<dim> R;
@@ -216,25 +217,31 @@ namespace Crevasse
       {
         const Step now     = step(x, w, k, log_kappa);
         steepest           = std::max(steepest, now.radial_slope);
-        VoigtVector<dim> y = of_strain, growth; // dy/dx
+        VoigtVector<dim> y = of_strain, left;
         if (hardens)
           y -= now.beta * of_known;
         double slope = 0.;
         square       = 0.;
         for (unsigned int i = 0; i < size; ++i)
           {
-            const double left = 1. / (1. + now.rho * l[i]);
-            y[i] *= left;
-            growth[i] = (left - 1.) * now.growth_of_rho * y[i] -
-                        left * now.growth_of_beta * of_known[i];
-            square += l[i] * y[i] * y[i];
-            slope -= l[i] * y[i] * growth[i];
+            left[i] = 1. / (1. + now.rho * l[i]);
+            y[i] *= left[i];
+            const double part = l[i] * y[i] * y[i];
+            square += part;
+            slope += part * (1. - left[i]) * now.growth_of_rho;
+            if (hardens)
+              slope += l[i] * y[i] * left[i] * now.growth_of_beta * of_known[i];
           }
         slope                   = 1. + slope / square;
         const double too_much   = x + now.left_out - 0.5 * std::log(square);
         const double correction = -too_much / slope;
         if (std::abs(correction) * (1. + std::abs(now.growth_of_rho)) < small)
-          return modes.directions * (y + correction * growth);
+          {
+            for (unsigned int i = 0; i < size; ++i) // dy/dx
+              y[i] += correction * ((left[i] - 1.) * now.growth_of_rho * y[i] -
+                                    left[i] * now.growth_of_beta * of_known[i]);
+            return modes.directions * y;
+          }
         if (too_much > 0.)
           above = std::min(above, x - too_much / steepest);
         else

@@ -84,12 +84,11 @@ namespace Crevasse
   void
   CreepStage<dim>::evaluate(Stage &stage, Vector &right_hand_side)
   {
-    using Field             = QuadratureField<dim>;
-    const auto     &law     = *stage.known.material.creep;
-    const auto     &moduli  = *stage.tangent.moduli;
-    const auto     &known   = stage.known;
-    const double    k       = stage.state.stiffness_factor;
-    const bool      hardens = known.material.hardens;
+    using Field            = QuadratureField<dim>;
+    const auto     &law    = *stage.known.material.creep;
+    const auto     &moduli = *stage.tangent.moduli;
+    const auto     &known  = stage.known;
+    const double    k      = stage.state.stiffness_factor;
     const Stopwatch watch("strain sweeps");
     // One rank alone may have the point of an error: the sweep communicates.
     std::optional<NumericalError> not_found;
@@ -100,11 +99,11 @@ namespace Crevasse
         const std::size_t point = offset / Field::n_components;
         try
           {
-            const VoigtVector<dim> stress = law[point].relaxed_stress(
-              hardens ? strain - known.thermal(offset) : strain - known(offset),
-              hardens ? Field::get(known.r, offset) : VoigtVector<dim>(),
-              k,
-              stage.log_kappa);
+            const VoigtVector<dim> stress =
+              law[point].relaxed_stress(strain - known.thermal(offset),
+                                        Field::get(known.r, offset),
+                                        k,
+                                        stage.log_kappa);
             Field::set(stage.state.stress, offset, stress);
             Field::set(excess, offset, k * (moduli[point] * strain) - stress);
           }

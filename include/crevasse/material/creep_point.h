@@ -95,7 +95,8 @@ namespace Crevasse
      * vᵢ = (Xᵀ(e − βR̂))ᵢ / (1 + ρlᵢ), ρ = βκf/s: one equation for ln s, whose
      * slope is 1 to λ without hardening.
      *
-     * @param known ŷ where the law hardens; otherwise e is without r̂.
+     * @param strain e, without thermal strain
+     * @param known ŷ
      * @throw NumericalError if it is not found.
      */
     VoigtVector<dim>
