@@ -244,54 +244,30 @@ namespace Crevasse
                             const MaterialState<2> &material,
                             const PlaneElasticity  &at_tip) const
   {
-    const Vector &stress = sample.state.stress;
-    const auto   &g      = sample.state.contact_forces;
-    const double  open   = open_length_of(sample.state);
-    if (stays_closed(open))
-      return {0., 0., 0.};
-    if (!fits)
+    Estimate     all{};
+    const double open = open_length(body.lip, region.tip, sample.state);
+    // After creep a closed tip may have singular stress.
+    const bool is_closed = open == 0. && !body.effects.viscosity.on;
+    for (unsigned int i = is_closed ? 1 : 0; i < integrals.size(); ++i)
       {
-        const auto [K, error] = integrate(0, t, sample, material, at_tip);
-        return {K,
-                integrals[0].second.value(t, sample, material, at_tip),
-                error};
+        const auto &[large, small] = integrals[i];
+        const double check         = small.value(t, sample, material, at_tip);
+        all.intensity[i]           = large.value(t, sample, material, at_tip);
+        all.error[i]               = std::abs(all.intensity[i] - check);
+        if (i == 0)
+          all.of_stress = check;
       }
-    const WilliamsFit &fit       = fits->within(open);
-    const double       of_stress = fit.value(stress, g);
+    if (!fits || is_closed)
+      return all;
+    const Vector        &stress = sample.state.stress;
+    const ContactForces &g      = sample.state.contact_forces;
+    const WilliamsFit   &fit    = fits->within(open);
+    all.of_stress               = fit.value(stress, g);
     if (integrals.empty())
-      return {of_stress, of_stress, std::abs(fit.correction(stress, g))};
-    const auto [K, error] = integrate(0, t, sample, material, at_tip);
-    return {K, of_stress, error};
-  }
-
-
-
-  std::array<StressIntensity::ModeEstimate, 3>
-  StressIntensity::evaluate_modes(const double            t,
-                                  const Sample           &sample,
-                                  const MaterialState<2> &material,
-                                  const PlaneElasticity  &at_tip) const
-  {
-    const ModeEstimate opening = stays_closed(open_length_of(sample.state))
-                                   ? ModeEstimate{0., 0.}
-                                   : integrate(0, t, sample, material, at_tip);
-    return {{opening,
-             integrate(1, t, sample, material, at_tip),
-             integrate(2, t, sample, material, at_tip)}};
-  }
-
-
-
-  StressIntensity::ModeEstimate
-  StressIntensity::integrate(const unsigned int      mode,
-                             const double            t,
-                             const Sample           &sample,
-                             const MaterialState<2> &material,
-                             const PlaneElasticity  &at_tip) const
-  {
-    const auto  &squares = integrals[mode];
-    const double large   = squares.first.value(t, sample, material, at_tip);
-    const double small   = squares.second.value(t, sample, material, at_tip);
-    return {large, std::abs(large - small)};
+      {
+        all.intensity[0] = all.of_stress;
+        all.error[0]     = std::abs(fit.correction(stress, g));
+      }
+    return all;
   }
 } // namespace Crevasse

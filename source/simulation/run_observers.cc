@@ -4,13 +4,12 @@
 #include <crevasse/discretisation/rigid_modes.h>
 #include <crevasse/model/largest_load.h>
 #include <crevasse/postprocess/crack_front_table.h>
-#include <crevasse/postprocess/crack_tip_table.h>
 #include <crevasse/postprocess/creep_integral_table.h>
 #include <crevasse/postprocess/field_writer.h>
-#include <crevasse/postprocess/mixed_mode_table.h>
 #include <crevasse/postprocess/probe_tables.h>
 #include <crevasse/postprocess/slip_while_closed.h>
 #include <crevasse/postprocess/stress_writer.h>
+#include <crevasse/postprocess/tip_table.h>
 #include <crevasse/simulation/drift.h>
 #include <crevasse/simulation/elastic_comparison.h>
 #include <crevasse/simulation/run.h>
@@ -265,11 +264,6 @@ namespace Crevasse
     const auto extremes = add(std::make_unique<Extremes<dim>>(*this));
     // The end of the run is always included.
     FieldInstants instants{false, {steps.period()}, {}};
-    const auto    follow_tip = [&instants](const auto number, const auto tip) {
-      for (const double sign : {1., -1.})
-        instants.followed.emplace_back(
-          [tip, number, sign](auto &) { return sign * tip->latest().*number; });
-    };
     if (crack_tips.empty())
       instants.followed.emplace_back(
         [](const Sample &sample) { return sample.state.stress.linfty_norm(); });
@@ -313,25 +307,22 @@ namespace Crevasse
           const auto squares =
             elastic_error_squares(scene, body, systems, steps);
           const TipContext context{steps, flow, closure, log};
-          unsigned int     number = 0;
+          unsigned int     n_two_lips = 0;
           for (const auto &tip : crack_tips)
-            if (tip->intensity.region.tip.two_lips)
-              follow_tip(&MixedModeValues::equivalent,
-                         add(std::make_unique<MixedModeTable>(
-                           *tip,
-                           squares,
-                           context,
-                           table("crack_tip_" + std::to_string(++number) +
-                                   ".csv",
-                                 MixedModeTable::columns(*tip)))));
-            else
-              follow_tip(&CrackTipValues::intensity,
-                         add(std::make_unique<CrackTipTable>(
-                           *tip,
-                           squares,
-                           context,
-                           table("crack_tip.csv",
-                                 CrackTipTable::columns(*tip)))));
+            {
+              const std::string number = tip->intensity.region.tip.two_lips
+                                           ? "_" + std::to_string(++n_two_lips)
+                                           : "";
+              const auto        of_tip = add(std::make_unique<TipTable>(
+                *tip,
+                squares,
+                context,
+                table("crack_tip" + number + ".csv", TipTable::columns(*tip))));
+              for (const double sign : {1., -1.})
+                instants.followed.emplace_back([of_tip, sign](auto &) {
+                  return sign * of_tip->latest().equivalent;
+                });
+            }
         }
     if constexpr (dim == 2)
       for (unsigned int i = 0; i < creep_integrals.size(); ++i)

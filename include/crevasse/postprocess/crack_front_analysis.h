@@ -63,7 +63,7 @@ namespace Crevasse
     require_no_force_at_front(const Scene &scene, const StepList &steps) const;
 
     /** Whether K_I is 0 at each vertex, because the nearest node of the lips is
-     * closed; see StressIntensity::stays_closed(). Collective. */
+     * closed; see StressIntensity::Estimate. Collective. */
     std::vector<bool>
     stay_closed(const State &state) const;
 

@@ -20,22 +20,16 @@ namespace Crevasse
   class StressIntensity
   {
   public:
-    /** K_I and its error; all 0 if nothing creeps and the node next to the tip
-     * is closed. In bodies of revolution of_stress is K over the smaller
-     * square. */
+    /** K_I, K_II and T, and their errors, as far as they are computed. K_I is 0
+     * if nothing creeps and the node next to the tip is closed. */
     struct Estimate
     {
-      double intensity, of_stress;
-      /** Difference between integrals over two squares, or between fits to two
+      std::array<double, 3> intensity;
+      /** Differences between integrals over two squares, or between fits to two
        * discs. */
-      double error;
-    };
-
-    /** Value of a mode by the integral over the larger square, and its
-     * difference from the smaller square. */
-    struct ModeEstimate
-    {
-      double intensity, error;
+      std::array<double, 3> error;
+      /** K_I of the fit or, without a fit, over the smaller square. */
+      double of_stress;
     };
 
     /** Collective. The arguments must outlive the StressIntensity.
@@ -57,20 +51,13 @@ namespace Crevasse
              name_of(scene.crack_tip.stress_intensity);
     }
 
-    /** Estimates K_I. Collective. @param t within the period. @param material
-     * at the instant t. @param at_tip elasticity(t) */
+    /** Estimates K. Collective. @param t within the period. @param material at
+     * the instant t. @param at_tip elasticity(t) */
     Estimate
     evaluate(const double            t,
              const Sample           &sample,
              const MaterialState<2> &material,
              const PlaneElasticity  &at_tip) const;
-
-    /** Estimates K_I, K_II and T of a tip with two lips. Collective. */
-    std::array<ModeEstimate, 3>
-    evaluate_modes(const double            t,
-                   const Sample           &sample,
-                   const MaterialState<2> &material,
-                   const PlaneElasticity  &at_tip) const;
 
     /** The modes that are computed. */
     std::vector<CrackMode>
@@ -158,27 +145,6 @@ namespace Crevasse
 
     Integrals
     make_integrals(const CrackMode mode) const;
-
-    /** Estimates a mode, given by its index in modes(). Collective. */
-    ModeEstimate
-    integrate(const unsigned int      mode,
-              const double            t,
-              const Sample           &sample,
-              const MaterialState<2> &material,
-              const PlaneElasticity  &at_tip) const;
-
-    double
-    open_length_of(const State &state) const
-    {
-      return open_length(body.lip, region.tip, state);
-    }
-
-    /** Whether K_I is 0. After creep a closed tip may have singular stress. */
-    bool
-    stays_closed(const double open) const
-    {
-      return open == 0. && !body.effects.viscosity.on;
-    }
 
     /** InteractionIntegral::Squares::creep, at least so many cells. */
     double

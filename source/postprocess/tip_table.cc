@@ -1,0 +1,389 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Crevasse authors
+
+#include <crevasse/base/format.h>
+#include <crevasse/base/text.h>
+#include <crevasse/postprocess/tip_table.h>
+
+#include <deal.II/base/symmetric_tensor.h>
+#include <deal.II/grid/grid_tools.h>
+
+namespace Crevasse
+{
+  using namespace dealii;
+
+  namespace
+  {
+    const auto opening_of = [](const TipValues &v) { return v.intensity[0]; };
+    const auto sliding_of = [](const TipValues &v) { return v.intensity[1]; };
+    const auto energy_of  = [](const TipValues &v) { return v.energy; };
+    const auto equivalent_of = [](const TipValues &v) { return v.equivalent; };
+
+
+
+    /** Columns of the table after t, with their values. */
+    std::vector<std::pair<std::string, double>>
+    columns_of(const CrackTipAnalysis &analysis, const TipValues &v)
+    {
+      std::vector<std::pair<std::string, double>> all;
+      const auto add_singular = [&](const char *name, const unsigned int mode) {
+        if (analysis.has_singular_functions)
+          all.emplace_back(name, v.of_singular_functions[mode]);
+      };
+      if (analysis.intensity.region.tip.two_lips)
+        {
+          all = {{"K_I", v.intensity[0]},
+                 {"K_II", v.intensity[1]},
+                 {"K_I_error", v.error[0]},
+                 {"K_II_error", v.error[1]},
+                 {"energy_release_rate", v.release_rate},
+                 {"growth_angle", v.growth_angle},
+                 {"equivalent_intensity", v.equivalent},
+                 {"T_stress", v.t_stress},
+                 {"growth_angle_G", v.angle_of_release}};
+          add_singular("K_I_singular", 0);
+          add_singular("K_II_singular", 1);
+          return all;
+        }
+      all = {{"K_I", v.intensity[0]}, {"K_I_stress", v.of_stress}};
+      add_singular("K_I_singular", 0);
+      all.insert(all.end(),
+                 {{"K_I_error", v.error[0]},
+                  {"energy_release_rate", v.release_rate},
+                  {"strain_energy", v.energy}});
+      return all;
+    }
+  } // namespace
+
+
+
+  TipTable::TipTable(const CrackTipAnalysis      &analysis,
+                     const dealii::Vector<float> &error_squares,
+                     const TipContext            &context,
+                     CsvTable                   &&table)
+    : analysis(analysis)
+    , context(context)
+    , place(analysis.intensity.region.tip)
+    , title("  crack tip" +
+            (place.two_lips ? ' ' + Text::from_point(place.position) : "") +
+            ": ")
+    , relative_error(analysis.relative_energy_error(error_squares))
+    , table(std::move(table))
+  {
+  }
+
+
+
+  std::vector<std::string>
+  TipTable::columns(const CrackTipAnalysis &analysis)
+  {
+    std::vector<std::string> names = {"t"};
+    for (const auto &column : columns_of(analysis, {}))
+      names.push_back(column.first);
+    return names;
+  }
+
+
+
+  void
+  TipTable::observe(const Sample &sample)
+  {
+    if (sample.step == 0)
+      instants.clear(), of_last_period.clear();
+    before_jump(sample);
+    std::vector<double> row = {sample.time};
+    for (const auto &column : columns_of(analysis, of_last_period.back()))
+      row.push_back(column.second);
+    table.add_row(row);
+  }
+
+
+
+  TipValues
+  TipTable::evaluate(const Sample &sample) const
+  {
+    const double           t = context.steps.within_period(sample.instant);
+    const MaterialState<2> material = analysis.body.material.at(t);
+    const PlaneElasticity  at_tip   = analysis.intensity.elasticity(t);
+    const auto             estimate =
+      analysis.intensity.evaluate(t, sample, material, at_tip);
+    const auto  &K    = estimate.intensity;
+    const double size = std::hypot(K[0], K[1]);
+    TipValues    values{};
+    values.of_stress = estimate.of_stress;
+    values.t_stress  = K[2];
+    for (unsigned int mode = 0; mode < (place.two_lips ? 2 : 1); ++mode)
+      {
+        values.intensity[mode] = K[mode];
+        // A closed tip has K = 0 exactly.
+        values.error[mode] =
+          K[mode] == 0. ? 0.
+                        : std::max(estimate.error[mode], relative_error * size);
+        values.of_singular_functions[mode] =
+          analysis.of_singular_function(CrackMode(mode),
+                                        sample.state.displacement,
+                                        material);
+      }
+    // The fit may be far less accurate than the integral.
+    constexpr double most = 4.;
+    values.error[0]       = std::max(values.error[0],
+                               std::min(most * values.error[0],
+                                        std::abs(K[0] - values.of_stress)));
+    values.release_rate =
+      size * size / (material.stiffness_factor * at_tip.modulus());
+    values.energy     = analysis.energy.value(material,
+                                          sample.state.stress,
+                                          sample.viscous_strain);
+    values.equivalent = K[0];
+    if (place.two_lips)
+      {
+        constexpr double      degrees = 180. / numbers::PI;
+        const GrowthDirection growth(K[0], K[1]);
+        values.growth_angle = degrees * growth.angle;
+        values.angle_of_release =
+          degrees * angle_of_largest_release(K[0], K[1]);
+        values.equivalent = growth.intensity;
+      }
+    return values;
+  }
+
+
+
+  void
+  TipTable::add_changes_of_lip()
+  {
+    if (context.closure == nullptr || !context.closure->failure.empty())
+      return;
+    const std::vector<LipMoment> lip = context.closure->lip_at(place.position);
+    for (std::size_t i = 1; i + 1 < lip.size(); ++i)
+      if (const auto next =
+            std::lower_bound(instants.begin(), instants.end(), lip[i].instant);
+          *next != lip[i].instant && (lip[i].status != lip[i - 1].status ||
+                                      lip[i].status != lip[i + 1].status))
+        {
+          of_last_period.insert(
+            of_last_period.begin() + (next - instants.begin()),
+            evaluate(context.closure->sample_at(lip[i].instant)));
+          instants.insert(next, lip[i].instant);
+        }
+  }
+
+
+
+  std::pair<double, double>
+  TipTable::range(const Number &number) const
+  {
+    std::vector<double> all;
+    for (const TipValues &values : of_last_period)
+      all.push_back(number(values));
+    const auto [least, most] = std::minmax_element(all.begin(), all.end());
+    return {*least, *most};
+  }
+
+
+
+  void
+  TipTable::summarise(Summary &summary)
+  {
+    if (instants.empty())
+      return;
+    // A lip without K at all samples has only rounding in between.
+    if (std::any_of(of_last_period.begin(),
+                    of_last_period.end(),
+                    equivalent_of))
+      add_changes_of_lip();
+    Summary tip   = place_of(place);
+    tip["method"] = analysis.intensity.method();
+    tip["radius"] = analysis.intensity.radius();
+    summarise_intensity(0, tip);
+    if (place.two_lips)
+      summarise_intensity(1, tip);
+    tip["energy_release_rate"] =
+      extremes([](const TipValues &v) { return v.release_rate; });
+    if (place.two_lips)
+      {
+        summarise_two_modes(tip);
+        warn_of_turning(summary);
+      }
+    else
+      {
+        tip["why"]           = analysis.intensity.why_no_integral();
+        tip["strain_energy"] = {{"largest", largest(energy_of)}};
+      }
+    warn_of_uncertainty(summary);
+    summarise_growth(tip);
+    if (place.two_lips)
+      summary["crack_tips"].push_back(tip);
+    else
+      summary["crack_tip"] = tip;
+  }
+
+
+
+  void
+  TipTable::summarise_intensity(const unsigned int mode, Summary &tip) const
+  {
+    const std::string name      = mode == 0 ? "K_I" : "K_II";
+    const Number      intensity = [mode](const TipValues &v) {
+      return v.intensity[mode];
+    };
+    const auto [least, most] = range(intensity);
+    const double error =
+      largest([mode](const TipValues &v) { return v.error[mode]; });
+    const double size    = std::max(std::abs(least), std::abs(most));
+    tip[name]            = extremes(intensity);
+    tip[name + "_error"] = error;
+    context.log.line(
+      title + name +
+      Text::format(" from %.5g to %.5g in the last period, estimated "
+                   "error %.1g (%.2g %%)",
+                   least,
+                   most,
+                   error,
+                   size > 0. ? 100. * error / size : 0.));
+    if (least < -10. * error && mode == 0)
+      context.log.line(
+        "    K_I < 0: the load, or residual stress from creep, compresses the "
+        "body ahead of the tip");
+  }
+
+
+
+  void
+  TipTable::summarise_two_modes(Summary &tip) const
+  {
+    const TipValues &worst =
+      *std::max_element(of_last_period.begin(),
+                        of_last_period.end(),
+                        [](const TipValues &a, const TipValues &b) {
+                          return a.equivalent < b.equivalent;
+                        });
+    tip["T_stress"] = extremes([](const TipValues &v) { return v.t_stress; });
+    tip["equivalent_intensity"] = {{"largest", worst.equivalent}};
+    tip["growth_angle"]         = worst.growth_angle;
+    tip["growth_angle_G"]       = worst.angle_of_release;
+    const auto [low, high]      = range(opening_of);
+    const auto [left, right]    = range(sliding_of);
+    tip["Delta_K_I"]            = high - low;
+    tip["Delta_K_II"]           = right - left;
+  }
+
+
+
+  void
+  TipTable::warn_of_uncertainty(Summary &summary) const
+  {
+    // A crack that stays closed has an intensity of rounding: the energy
+    // density gives the usual intensity of cracks of its length.
+    constexpr double        large = 0.1, negligible = 1e-3;
+    const Triangulation<2> &mesh = analysis.body.space.mesh();
+    const double density         = largest(energy_of) / GridTools::volume(mesh);
+    const double usual =
+      std::sqrt(analysis.body.law.stiffness_factor(0.) *
+                analysis.intensity.elasticity(0.).modulus() * density *
+                analysis.intensity.largest_radius());
+    const double size  = largest([](const TipValues &v) {
+      return std::hypot(v.intensity[0], v.intensity[1]);
+    });
+    const double error = largest(
+      [](const TipValues &v) { return std::hypot(v.error[0], v.error[1]); });
+    if (error <= large * size || size <= negligible * usual)
+      return;
+    warn("[Crack tip] Stress intensity: " +
+           (place.two_lips ? "at " + Text::from_point(place.position) + " K"
+                           : "K_I") +
+           " is uncertain by about " +
+           Text::from_number(std::round(100. * error / size)) +
+           " %; refine the mesh ([Refinement])" +
+           (place.two_lips ? ""
+                           : " or use [Discretisation] Singular functions"),
+         summary);
+  }
+
+
+
+  void
+  TipTable::warn_of_turning(Summary &summary) const
+  {
+    // The principal axis of the moments is the mean direction of (K_I, K_II).
+    SymmetricTensor<2, 2> moments;
+    for (const TipValues &v : of_last_period)
+      {
+        const Tensor<1, 2> K({std::max(opening_of(v), 0.), sliding_of(v)});
+        moments += symmetrize(outer_product(K, K));
+      }
+    const auto       sizes = eigenvalues(moments);
+    constexpr double small = 0.1; // ratio of axes
+    if (sizes[1] <= small * small * sizes[0])
+      return;
+    warn("[Crack tip]: at " + Text::from_point(place.position) +
+           " K_II/K_I varies over the period, but Delta_K (equivalent to the "
+           "ranges of K_I and K_II) and da_dN assume modes in phase. Judge "
+           "growth by K_I and K_II in crack_tip_N.csv",
+         summary);
+  }
+
+
+
+  void
+  TipTable::summarise_growth(Summary &tip) const
+  {
+    const auto [least, most] = range(opening_of);
+    tip["Delta_K"]           = equivalent_range(most - least);
+    context.log.line(title + "Delta K " +
+                     Text::from_number(equivalent_range(most - least), 6) +
+                     (context.closure != nullptr && instants.size() > 1
+                        ? summarise_closure(tip)
+                        : ""));
+    TipHistory history;
+    history.instants = instants;
+    for (const TipValues &values : of_last_period)
+      history.intensity.push_back(values.equivalent);
+    history.range  = equivalent_range(std::max(most, 0.) - std::max(least, 0.));
+    history.c_star = analysis.c_star(context.flow);
+    analysis.summarise_growth(history, title, tip, context.log);
+  }
+
+
+
+  std::string
+  TipTable::summarise_closure(Summary &tip) const
+  {
+    const std::vector<LipMoment> lip = context.closure->lip_at(place.position);
+    const auto [wholly, partly]      = closed_parts(lip);
+    const auto worst =
+      std::max_element(of_last_period.begin(),
+                       of_last_period.end(),
+                       [](const TipValues &a, const TipValues &b) {
+                         return opening_of(a) < opening_of(b);
+                       });
+    const double most = opening_of(*worst);
+    LipOpening   opens =
+      last_opening(lip, instants[worst - of_last_period.begin()]);
+    if (opens.why_not.empty())
+      opens.why_not = context.closure->failure;
+    tip["K_opening"] = tip["opening_ratio"] = Summary();
+    tip["Delta_K_eff"] = wholly + partly == 0. ? tip["Delta_K"] : Summary();
+    tip["closed_part"] = {{"wholly", wholly}, {"partly", partly}};
+    std::string line   = ", no K_op: " + opens.why_not;
+    if (opens.why_not.empty())
+      {
+        const auto at =
+          std::find(instants.begin(), instants.end(), opens.instant);
+        const double K_op = opening_of(of_last_period[at - instants.begin()]);
+        const double effective = equivalent_range(most - K_op);
+        tip["K_opening"]       = K_op;
+        tip["Delta_K_eff"]     = effective;
+        if (most > 0.)
+          tip["opening_ratio"] = K_op / most;
+        line = Text::format(", Delta K_eff %.6g, K_op %.4g", effective, K_op);
+      }
+    else
+      tip["no_K_opening"] = opens.why_not;
+    line += Text::format("; lip wholly closed for %.1f %% of the period",
+                         100. * wholly);
+    return partly < 5e-4 // prints as 0.0 %
+             ? line
+             : line + Text::format(", partly for %.1f %%", 100. * partly);
+  }
+} // namespace Crevasse
