@@ -10,6 +10,40 @@ namespace Crevasse
 {
   using namespace dealii;
 
+  StateArchive::StateArchive(const MPI_Comm     communicator,
+                             const std::string &bytes,
+                             const unsigned int n_ranks)
+    : mpi_communicator(communicator)
+    , loads(true)
+    , same_ranks(Utilities::MPI::n_mpi_processes(communicator) == n_ranks)
+    , items(Utilities::unpack<std::vector<std::vector<char>>>(
+        std::vector<char>(bytes.begin(), bytes.end()),
+        false))
+  {
+  }
+
+
+
+  std::string
+  StateArchive::bytes() const
+  {
+    const std::vector<char> packed = Utilities::pack(items, false);
+    return {packed.begin(), packed.end()};
+  }
+
+
+
+  void
+  StateArchive::exchange(std::vector<char> &item)
+  {
+    if (loads)
+      item = items.at(next++);
+    else
+      items.push_back(item);
+  }
+
+
+
   void
   StateArchive::section(const std::string &name)
   {

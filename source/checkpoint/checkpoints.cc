@@ -51,7 +51,7 @@ namespace Crevasse
       bytes    = read_text_file(folder.name(manifest.number) + common_file);
     });
     manifest = Utilities::MPI::broadcast(communicator, manifest, 0);
-    archive  = std::make_unique<CommonArchive>(
+    archive  = std::make_unique<StateArchive>(
       communicator,
       Utilities::MPI::broadcast(communicator, bytes, 0),
       manifest.ranks);

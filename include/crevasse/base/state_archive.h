@@ -6,6 +6,8 @@
 
 #include <crevasse/base/vector.h>
 
+#include <deal.II/base/exceptions.h>
+#include <deal.II/base/mpi.h>
 #include <deal.II/base/utilities.h>
 #include <deal.II/lac/vector.h>
 
@@ -23,26 +25,54 @@ namespace Crevasse
 {
   /**
    * Archive to write the state of a run to or to read it from. Objects
-   * serialise their state in a fixed order with one function for both. Fields
-   * do not depend on which rank has which cells, so that another number of
-   * ranks can resume the run. All functions are collective.
+   * serialise their state in a fixed order with one function for both. All
+   * functions are collective. Fields need a mesh: see FieldArchive.
    */
   class StateArchive
   {
   public:
-    virtual ~StateArchive() = default;
+    /** Creates an empty archive for writing. */
+    explicit StateArchive(const MPI_Comm communicator)
+      : mpi_communicator(communicator)
+    {
+    }
+
+    /** Opens an archive for reading.
+     * @param bytes bytes() of the first rank.
+     * @param n_ranks number of ranks of the run that wrote the archive. */
+    StateArchive(const MPI_Comm     communicator,
+                 const std::string &bytes,
+                 const unsigned int n_ranks);
+
+    virtual ~StateArchive()       = default;
+    StateArchive(StateArchive &&) = default;
+    StateArchive &
+    operator=(StateArchive &&) = default;
 
     /** Whether the archive is read, and replaces its arguments. */
-    virtual bool
-    is_loading() const = 0;
+    bool
+    is_loading() const
+    {
+      return loads;
+    }
 
     /** Whether as many ranks read the archive as wrote it, so that each has the
      * same cells; true while the archive is written. */
-    virtual bool
-    has_same_ranks() const = 0;
+    bool
+    has_same_ranks() const
+    {
+      return same_ranks;
+    }
 
-    virtual MPI_Comm
-    communicator() const = 0;
+    MPI_Comm
+    communicator() const
+    {
+      return mpi_communicator;
+    }
+
+    /** Contents written so far, except for fields. */
+    std::string
+    bytes() const;
 
     /** Begins a named section of the archive, so that a wrong order of reading
      * is noticed. @throw FileError */
@@ -86,17 +116,26 @@ namespace Crevasse
     /** Serialises a field of displacements or nodal forces (see Space). An
      * empty field stays empty. */
     virtual void
-    nodal(Vector &field) = 0;
+    nodal(Vector &)
+    {
+      AssertThrow(false, dealii::ExcPureFunctionCalled());
+    }
 
     /** Serialises a field at quadrature points with any number of branches (see
      * QuadratureField). An empty field stays empty. */
     virtual void
-    at_points(Vector &field) = 0;
+    at_points(Vector &)
+    {
+      AssertThrow(false, dealii::ExcPureFunctionCalled());
+    }
 
     /** Serialises a number for each contact bound of this rank, in the order of
      * UnilateralBounds. An empty list stays empty. */
     virtual void
-    on_bounds(std::vector<double> &values) = 0;
+    on_bounds(std::vector<double> &)
+    {
+      AssertThrow(false, dealii::ExcPureFunctionCalled());
+    }
 
     /** Serialises a flag for each contact bound of this rank. */
     void
@@ -104,13 +143,21 @@ namespace Crevasse
 
     /** Serialises a number for each cell, by active cell index. */
     virtual void
-    on_cells(dealii::Vector<double> &values) = 0;
+    on_cells(dealii::Vector<double> &)
+    {
+      AssertThrow(false, dealii::ExcPureFunctionCalled());
+    }
 
-  protected:
+  private:
     /** Writes these bytes, or reads the next bytes in the order of writing. The
      * first rank's bytes are used on all ranks. */
-    virtual void
-    exchange(std::vector<char> &bytes) = 0;
+    void
+    exchange(std::vector<char> &item);
+
+    MPI_Comm                       mpi_communicator;
+    bool                           loads = false, same_ranks = true;
+    std::vector<std::vector<char>> items;
+    std::size_t                    next = 0; ///< next item to read
   };
 } // namespace Crevasse
 

@@ -105,7 +105,7 @@ namespace Crevasse
             f();
         });
       };
-      CommonArchive common(communicator);
+      StateArchive common(communicator);
       checkpoints.first_part(common);
       header(common);
       FieldArchive<dim> archive(std::move(common), body, mesh, bytes_of_cells);

@@ -5,9 +5,9 @@
 #define crevasse_checkpoint_checkpoints_h
 
 #include <crevasse/base/log.h>
+#include <crevasse/base/state_archive.h>
 #include <crevasse/base/stop_request.h>
 #include <crevasse/checkpoint/checkpoint_folder.h>
-#include <crevasse/checkpoint/common_archive.h>
 
 #include <functional>
 
@@ -45,7 +45,7 @@ namespace Crevasse
       return archive != nullptr;
     }
     /** Archive to resume from, with the data that is the same on all ranks. */
-    CommonArchive &
+    StateArchive &
     resumed()
     {
       return *archive;
@@ -110,11 +110,11 @@ namespace Crevasse
     Log               &log;
     const unsigned int every;
 
-    Serialize                      first_part;
-    std::vector<std::string>       tables;
-    std::unique_ptr<CommonArchive> archive; ///< data to resume from
-    CheckpointManifest             manifest;
-    Position                       last = {0, 0}; ///< last checkpoint or resume
+    Serialize                     first_part;
+    std::vector<std::string>      tables;
+    std::unique_ptr<StateArchive> archive; ///< data to resume from
+    CheckpointManifest            manifest;
+    Position                      last = {0, 0}; ///< last checkpoint or resume
 
     /** Largest expected checkpoint, and writing time per byte, that of a slow
      * disk until measured: they predict the time that the next one takes. */

@@ -7,7 +7,7 @@
 #include <crevasse/base/collectively.h>
 #include <crevasse/base/of_all_ranks.h>
 #include <crevasse/base/problems.h>
-#include <crevasse/checkpoint/common_archive.h>
+#include <crevasse/base/state_archive.h>
 #include <crevasse/model/body.h>
 
 #include <filesystem>
@@ -15,16 +15,16 @@
 namespace Crevasse
 {
   /**
-   * Complete archive of a run: a CommonArchive, and the fields. The values of
-   * all fields are collected for each cell, one field after the other, and
-   * saved as data attached to the cells of the mesh. So a run on other ranks
-   * can read them, each rank the values of its cells.
+   * Complete archive of a run: what is the same on all ranks, and the fields.
+   * The values of all fields are collected for each cell, one field after the
+   * other, and saved as data attached to the cells of the mesh. So a run on
+   * other ranks can read them, each rank the values of its cells.
    */
   template <int dim>
-  class FieldArchive : public CommonArchive
+  class FieldArchive : public StateArchive
   {
   public:
-    /** Continues a CommonArchive with fields. Collective.
+    /** Continues an archive with fields. Collective.
      *
      * @param common archive so far; when reading, the mesh of @p body has been
      * loaded from the file of save_fields().
@@ -32,11 +32,11 @@ namespace Crevasse
      * @param mesh the body's, to which data is attached; its cells stay.
      * @param expected bytes_of_cells() of an earlier archive, if any: reserved,
      * because growing vectors need up to twice the memory. */
-    FieldArchive(CommonArchive                 &&common,
+    FieldArchive(StateArchive                  &&common,
                  const Body<dim>                &body,
                  Mesh<dim>                      &mesh,
                  const std::vector<std::size_t> &expected = {})
-      : CommonArchive(std::move(common))
+      : StateArchive(std::move(common))
       , body(body)
       , mesh(mesh)
       , of_cells(body.space.mesh().n_active_cells())
