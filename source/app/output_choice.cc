@@ -6,11 +6,12 @@
 #include <crevasse/base/text_file.h>
 #include <crevasse/checkpoint/checkpoint_folder.h>
 #include <crevasse/checkpoint/scene_difference.h>
-#include <crevasse/postprocess/output_directory.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
-#include <filesystem>
+#include <fstream>
+#include <regex>
 #include <unistd.h>
 
 namespace Crevasse
@@ -19,11 +20,6 @@ namespace Crevasse
 
   namespace
   {
-    constexpr const char *name_in_scenes = "[Output directory] ";
-    constexpr const char *option         = "--output ";
-
-
-
     /** The existing part of a path. */
     fs::path
     existing_part(const std::string &path)
@@ -33,6 +29,27 @@ namespace Crevasse
       while (!fs::exists(part, unknown) && part.has_relative_path())
         part = part.parent_path();
       return part;
+    }
+
+
+
+    /** Creates the first folder earlier_1, earlier_2, ... that does not exist,
+     * with the parameters of the run whose results are moved there. */
+    fs::path
+    make_folder_for(const fs::path &used)
+    {
+      for (unsigned int number = 1;; ++number)
+        {
+          const fs::path folder =
+            used.parent_path() / ("earlier_" + std::to_string(number));
+          // The name may be taken by a folder, a file or a link, or another
+          // process may be faster.
+          if (fs::exists(fs::symlink_status(folder)) ||
+              !fs::create_directory(folder))
+            continue;
+          fs::copy_file(used, folder / used.filename());
+          return folder;
+        }
     }
   } // namespace
 
@@ -51,21 +68,42 @@ namespace Crevasse
 
 
   void
+  OutputChoice::fail(const std::string &what) const
+  {
+    throw FileError((from_command_line ? "--output " : "[Output directory] ") +
+                    path + ": " + what +
+                    ". Choose another one by --output DIR.");
+  }
+
+
+
+  void
   OutputChoice::require_usable() const
   {
-    const fs::path  part = existing_part(path);
+    const fs::path    part = existing_part(path);
+    const std::string beginning =
+      "results cannot be written there, because " + part.string();
     std::error_code unknown;
-    std::string     reason;
     if (!fs::is_directory(part, unknown))
-      reason = "is not a directory";
-    else if (access(part.c_str(), W_OK | X_OK) != 0)
-      reason =
-        std::string("cannot be written to (") + std::strerror(errno) + ")";
-    if (!reason.empty())
-      throw FileError((from_command_line ? option : name_in_scenes) + path +
-                      ": results cannot be written there, because " +
-                      part.string() + ' ' + reason +
-                      ". Choose another one by --output DIR.");
+      fail(beginning + " is not a directory");
+    if (access(part.c_str(), W_OK | X_OK) != 0)
+      fail(beginning + " cannot be written to (" + std::strerror(errno) + ")");
+  }
+
+
+
+  void
+  OutputChoice::require_writable() const
+  {
+    std::error_code error;
+    fs::create_directories(path, error);
+    if (error)
+      fail("cannot be created (" + error.message() + ")");
+    const fs::path probe    = fs::path(path) / ".write_test";
+    const bool     writable = std::ofstream(probe).put('\n').good();
+    fs::remove(probe, error);
+    if (!writable)
+      fail("cannot be written to");
   }
 
 
@@ -157,7 +195,7 @@ namespace Crevasse
   std::unique_ptr<DirectoryLock>
   OutputChoice::resume() const
   {
-    require_writable_directory(path);
+    require_writable();
     auto            lock = std::make_unique<DirectoryLock>(path);
     std::error_code error;
     fs::remove(path + "/summary.json", error);
@@ -172,22 +210,69 @@ namespace Crevasse
   std::unique_ptr<DirectoryLock>
   OutputChoice::prepare(std::string &kept) const
   {
+    require_writable();
+    auto lock = std::make_unique<DirectoryLock>(path);
     try
       {
-        require_writable_directory(path);
-        auto lock = std::make_unique<DirectoryLock>(path);
-        kept      = clear_earlier_results(path,
-                                     may_replace ? EarlierResults::are_removed
-                                                      : EarlierResults::are_kept);
-        return lock;
+        kept = clear_earlier_results();
       }
-    catch (const FileError &error)
+    catch (const fs::filesystem_error &error)
       {
-        // The thrower does not know whether the option chose the directory.
-        std::string message = error.what();
-        if (from_command_line && message.rfind(name_in_scenes, 0) == 0)
-          message.replace(0, std::strlen(name_in_scenes), option);
-        throw FileError(message);
+        fail("the results of an earlier run cannot be moved or removed (" +
+             error.code().message() + ")");
       }
+    return lock;
+  }
+
+
+
+  std::vector<fs::path>
+  OutputChoice::earlier_results() const
+  {
+    static const std::regex ours(
+      "summary\\.json(\\.part)?|log\\.txt|solution\\.pvd|used\\.prm|"
+      "solution_[0-9.]+\\.p?vtu|show_in_paraview\\.py|(probe_.*|contact|lip|"
+      "periods|relaxation|load_work|(crack_tip|creep_integral)(_[0-9]+)?|"
+      "crack_front)\\.csv|report\\.html");
+    std::vector<fs::path> found;
+    for (const fs::directory_entry &entry : fs::directory_iterator(path))
+      {
+        const std::string name = entry.path().filename().string();
+        if (name == "checkpoint")
+          found.push_back(entry);
+        if (!std::regex_match(name, ours))
+          continue;
+        if (entry.is_directory())
+          fail(name +
+               " is a directory, but a file of this name is to be written");
+        if (name != "used.prm")
+          found.push_back(entry);
+      }
+    return found;
+  }
+
+
+
+  std::string
+  OutputChoice::clear_earlier_results() const
+  {
+    const std::vector<fs::path> results = earlier_results();
+    // used.prm is written anew; while it exists, the other files belong to an
+    // earlier run.
+    const fs::path used = fs::path(path) / "used.prm";
+    if (!fs::is_regular_file(used))
+      return "";
+    const bool keep =
+      !may_replace &&
+      std::any_of(results.begin(), results.end(), [](const fs::path &path) {
+        return path.filename() != "log.txt";
+      });
+    const fs::path folder = keep ? make_folder_for(used) : fs::path();
+    for (const fs::path &result : results)
+      if (keep)
+        fs::rename(result, folder / result.filename());
+      else
+        fs::remove_all(result);
+    return folder.string();
   }
 } // namespace Crevasse

@@ -58,26 +58,11 @@ namespace Crevasse
     /** Moves blanks between the name of a function and its bracket, which
      * muParser rejects, before the name: positions in messages stay. */
     std::string
-    join_functions(std::string formula)
+    join_functions(const std::string &formula)
     {
-      const auto is_blank = [](const unsigned char c) {
-        return std::isspace(c) != 0;
-      };
-      const auto is_word = [](const unsigned char c) {
-        return std::isalnum(c) != 0 || c == '_';
-      };
-      for (auto bracket = formula.begin(); bracket != formula.end(); ++bracket)
-        if (*bracket == '(')
-          {
-            auto end = bracket;
-            while (end != formula.begin() && is_blank(end[-1]))
-              --end;
-            auto begin = end;
-            while (begin != formula.begin() && is_word(begin[-1]))
-              --begin;
-            std::rotate(begin, end, bracket);
-          }
-      return formula;
+      // Names are short; std::regex is recursive.
+      static const std::regex call("\\b(\\w{1,20})(\\s{1,20})\\(");
+      return std::regex_replace(formula, call, "$2$1(");
     }
 
 

@@ -30,7 +30,41 @@ namespace Crevasse
       }
 
       void
-      read(const std::string &file_name);
+      read(const std::string &file_name)
+      {
+        std::istringstream text(read_text_file(file_name));
+        File               file{{file_name, 0}, sections.size(), {}};
+        std::error_code    unknown;
+        files.push_back(fs::weakly_canonical(file_name, unknown));
+
+        std::string  statement;
+        unsigned int n_lines = 0;
+        for (std::string line; std::getline(text, line);)
+          {
+            ++n_lines;
+            if (statement.empty())
+              file.origin.line = n_lines;
+            // A comment ends with its line, even where the line continues.
+            statement +=
+              dealii::Utilities::trim(line.substr(0, line.find('#')));
+            const bool continues =
+              !statement.empty() && statement.back() == '\\';
+            if (continues)
+              statement.pop_back();
+            if (continues &&
+                text.peek() != std::istringstream::traits_type::eof())
+              continue;
+            read_statement(Text::squeeze(statement), file);
+            statement.clear();
+          }
+
+        for (std::size_t i = file.depth; i < sections.size(); ++i)
+          problems.add("the subsection \"" + Text::shorten(sections[i].first) +
+                         "\" is never closed by an \"end\"",
+                       sections[i].second);
+        sections.resize(file.depth);
+        files.pop_back();
+      }
 
     private:
       /** State of reading one file, without the files that it includes. */
@@ -44,16 +78,93 @@ namespace Crevasse
       };
 
       void
-      read_statement(const std::string &statement, File &file);
+      read_statement(const std::string &statement, File &file)
+      {
+        const std::size_t space = statement.find(' ');
+        const std::string rest =
+          space == std::string::npos ? "" : statement.substr(space + 1);
+        const auto begins_with = [&](const char *small, const char *capital) {
+          const std::string word = statement.substr(0, space);
+          return (word == small || word == capital) && !rest.empty();
+        };
+
+        if (statement.empty())
+          return;
+        if (begins_with("set", "SET") && rest[0] != '=' &&
+            rest.find('=') != std::string::npos)
+          set_parameter(rest, file);
+        else if (begins_with("subsection", "SUBSECTION"))
+          {
+            sections.emplace_back(rest, file.origin);
+            assignments.push_back({file.origin, section_path(), "", ""});
+          }
+        else if ((statement == "end" || statement == "END") &&
+                 sections.size() > file.depth)
+          sections.pop_back();
+        else if (begins_with("include", "INCLUDE"))
+          include_file(rest, file);
+        else
+          problems.add("\"" + Text::shorten(statement) +
+                         "\" cannot be understood; a line must be \"set Name = "
+                         "value\", \"subsection Name\", its \"end\", \"include "
+                         "file\" or a comment after \"#\"",
+                       file.origin);
+      }
 
       void
-      set_parameter(const std::string &text, File &file);
+      set_parameter(const std::string &text, File &file)
+      {
+        const std::size_t equals = text.find('=');
+        const std::string name =
+          dealii::Utilities::trim(text.substr(0, equals));
+        const std::string section = section_path();
+        const auto [first, is_new] =
+          file.first_places.emplace(section + "/" + name, file.origin.text());
+        if (is_new)
+          assignments.push_back(
+            {file.origin,
+             section,
+             name,
+             dealii::Utilities::trim(text.substr(equals + 1))});
+        else
+          problems.add(Text::parameter(section, name) +
+                         " is set a second time; it was set at " +
+                         first->second,
+                       file.origin);
+      }
 
       void
-      include_file(const std::string &name, const File &file);
+      include_file(const std::string &name, const File &file)
+      {
+        const fs::path included =
+          (fs::path(file.origin.source).parent_path() / name)
+            .lexically_normal();
+        std::error_code unknown;
+        if (std::find(files.begin(),
+                      files.end(),
+                      fs::weakly_canonical(included, unknown)) != files.end())
+          return problems.add("the file \"" + included.string() +
+                                "\" includes itself",
+                              file.origin);
+        try
+          {
+            read(included.string());
+          }
+        catch (const FileError &error)
+          {
+            problems.add(error.what(), file.origin);
+            problems.last_is_unreadable();
+          }
+      }
 
       std::string
-      section_path() const;
+      section_path() const
+      {
+        std::string path;
+        for (const auto &[name, origin] : sections)
+          path += (path.empty() ? "" : "/") + name;
+        return path;
+      }
 
       std::vector<Assignment> &assignments;
       Problems                &problems;
@@ -62,137 +173,6 @@ namespace Crevasse
       /** Open files, each included by the previous one. */
       std::vector<fs::path> files;
     };
-
-
-
-    void
-    PrmReader::read(const std::string &file_name)
-    {
-      std::istringstream text(read_text_file(file_name));
-      File               file{{file_name, 0}, sections.size(), {}};
-      std::error_code    unknown;
-      files.push_back(fs::weakly_canonical(file_name, unknown));
-
-      std::string  statement;
-      unsigned int n_lines = 0;
-      for (std::string line; std::getline(text, line);)
-        {
-          ++n_lines;
-          if (statement.empty())
-            file.origin.line = n_lines;
-          // A comment ends with its line, even where the line continues.
-          statement += dealii::Utilities::trim(line.substr(0, line.find('#')));
-          const bool continues = !statement.empty() && statement.back() == '\\';
-          if (continues)
-            statement.pop_back();
-          if (continues &&
-              text.peek() != std::istringstream::traits_type::eof())
-            continue;
-          read_statement(Text::squeeze(statement), file);
-          statement.clear();
-        }
-
-      for (std::size_t i = file.depth; i < sections.size(); ++i)
-        problems.add("the subsection \"" + Text::shorten(sections[i].first) +
-                       "\" is never closed by an \"end\"",
-                     sections[i].second);
-      sections.resize(file.depth);
-      files.pop_back();
-    }
-
-
-
-    void
-    PrmReader::read_statement(const std::string &statement, File &file)
-    {
-      const std::size_t space = statement.find(' ');
-      const std::string rest =
-        space == std::string::npos ? "" : statement.substr(space + 1);
-      const auto begins_with = [&](const char *small, const char *capital) {
-        const std::string word = statement.substr(0, space);
-        return (word == small || word == capital) && !rest.empty();
-      };
-
-      if (statement.empty())
-        return;
-      if (begins_with("set", "SET") && rest[0] != '=' &&
-          rest.find('=') != std::string::npos)
-        set_parameter(rest, file);
-      else if (begins_with("subsection", "SUBSECTION"))
-        {
-          sections.emplace_back(rest, file.origin);
-          assignments.push_back({file.origin, section_path(), "", ""});
-        }
-      else if ((statement == "end" || statement == "END") &&
-               sections.size() > file.depth)
-        sections.pop_back();
-      else if (begins_with("include", "INCLUDE"))
-        include_file(rest, file);
-      else
-        problems.add("\"" + Text::shorten(statement) +
-                       "\" cannot be understood; a line must be \"set Name = "
-                       "value\", \"subsection Name\", its \"end\", \"include "
-                       "file\" or a comment after \"#\"",
-                     file.origin);
-    }
-
-
-
-    void
-    PrmReader::set_parameter(const std::string &text, File &file)
-    {
-      const std::size_t equals = text.find('=');
-      const std::string name = dealii::Utilities::trim(text.substr(0, equals));
-      const std::string section = section_path();
-      const auto [first, is_new] =
-        file.first_places.emplace(section + "/" + name, file.origin.text());
-      if (is_new)
-        assignments.push_back(
-          {file.origin,
-           section,
-           name,
-           dealii::Utilities::trim(text.substr(equals + 1))});
-      else
-        problems.add(Text::parameter(section, name) +
-                       " is set a second time; it was set at " + first->second,
-                     file.origin);
-    }
-
-
-
-    void
-    PrmReader::include_file(const std::string &name, const File &file)
-    {
-      const fs::path included =
-        (fs::path(file.origin.source).parent_path() / name).lexically_normal();
-      std::error_code unknown;
-      if (std::find(files.begin(),
-                    files.end(),
-                    fs::weakly_canonical(included, unknown)) != files.end())
-        return problems.add("the file \"" + included.string() +
-                              "\" includes itself",
-                            file.origin);
-      try
-        {
-          read(included.string());
-        }
-      catch (const FileError &error)
-        {
-          problems.add(error.what(), file.origin);
-          problems.last_is_unreadable();
-        }
-    }
-
-
-
-    std::string
-    PrmReader::section_path() const
-    {
-      std::string path;
-      for (const auto &[name, origin] : sections)
-        path += (path.empty() ? "" : "/") + name;
-      return path;
-    }
 
 
 

@@ -4,7 +4,6 @@
 #include <crevasse/base/text.h>
 #include <crevasse/parameters/physical_names.h>
 #include <crevasse/parameters/scene_file.h>
-#include <crevasse/parameters/scene_schema.h>
 #include <crevasse/temperature/temperature.h>
 
 #include <algorithm>

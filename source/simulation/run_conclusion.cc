@@ -2,13 +2,14 @@
 // Copyright (C) 2026 by the Crevasse authors
 
 #include <crevasse/base/format.h>
-#include <crevasse/base/libraries.h>
 #include <crevasse/base/machine_memory.h>
 #include <crevasse/base/problems.h>
 #include <crevasse/base/text.h>
 #include <crevasse/base/version.h>
 #include <crevasse/simulation/run.h>
 #include <crevasse/simulation/setup_report.h>
+
+#include <SuiteSparse_config.h>
 
 namespace Crevasse
 {
@@ -22,6 +23,32 @@ namespace Crevasse
     {
       using NumericalError::NumericalError;
     };
+
+
+
+    /** Names and versions of the numerical libraries. */
+    std::map<std::string, std::string>
+    library_versions()
+    {
+      const auto dotted =
+        [](const int major, const int minor, const int patch) {
+          return std::to_string(major) + '.' + std::to_string(minor) + '.' +
+                 std::to_string(patch);
+        };
+      return {{"deal.II", DEAL_II_PACKAGE_VERSION},
+              {"Trilinos",
+               dotted(DEAL_II_TRILINOS_VERSION_MAJOR,
+                      DEAL_II_TRILINOS_VERSION_MINOR,
+                      DEAL_II_TRILINOS_VERSION_SUBMINOR)},
+              {"p4est",
+               dotted(DEAL_II_P4EST_VERSION_MAJOR,
+                      DEAL_II_P4EST_VERSION_MINOR,
+                      DEAL_II_P4EST_VERSION_SUBMINOR)},
+              {"SuiteSparse",
+               dotted(SUITESPARSE_MAIN_VERSION,
+                      SUITESPARSE_SUB_VERSION,
+                      SUITESPARSE_SUBSUB_VERSION)}};
+    }
 
 
 

@@ -9,6 +9,8 @@
 #include <crevasse/base/summary.h>
 #include <crevasse/parameters/scene.h>
 
+#include <filesystem>
+
 namespace Crevasse
 {
   /** The output directory of a run, and its source, which messages name. */
@@ -51,14 +53,34 @@ namespace Crevasse
     resume() const;
 
     /** Creates the directory if needed, clears away the results of an earlier
-     * run, and keeps others out while the lock exists.
+     * run, so that none is mistaken for a result of this run, and keeps others
+     * out while the lock exists. Without a used.prm, the sign of a run, files
+     * stay, as do other files. A log alone is not kept.
      *
-     * @param kept the folder with the earlier results, if they are kept.
-     * @throw FileError */
+     * @param kept the folder "earlier_1", "earlier_2", … with the earlier
+     * results, if they are kept.
+     * @throw FileError, also if a directory has the name of a result file. */
     std::unique_ptr<DirectoryLock>
     prepare(std::string &kept) const;
 
   private:
+    [[noreturn]] void
+    fail(const std::string &what) const;
+
+    /** Creates the directory and its parents if needed, and checks that files
+     * can be written there. @throw FileError */
+    void
+    require_writable() const;
+
+    /** Existing results of an earlier run besides used.prm, and reports about
+     * them, which would not describe the new results. */
+    std::vector<std::filesystem::path>
+    earlier_results() const;
+
+    /** Moves or removes them. @return the folder in which they are kept. */
+    std::string
+    clear_earlier_results() const;
+
     std::string
     why_finished(const Summary &summary,
                  const Scene   &scene,

@@ -32,6 +32,12 @@ namespace Crevasse
   /** Names of sections or parameters in a catalogue, without the top level. */
   std::vector<std::string>
   names_in(const Catalogue &object);
+
+  /** JSON schema of .json scenes, with which editors complete and check names,
+   * choices and ranges of numbers. Formulas and lists are texts in the schema;
+   * only the program checks them. */
+  Catalogue
+  make_scene_schema(const Catalogue &catalogue);
 } // namespace Crevasse
 
 #endif
