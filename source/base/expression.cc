@@ -8,7 +8,6 @@
 #include <deal.II/base/numbers.h>
 #include <deal.II/base/utilities.h>
 
-#include <algorithm>
 #include <cctype>
 #include <cmath>
 #include <cstring>
