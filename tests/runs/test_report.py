@@ -25,7 +25,7 @@ from crevasse_run import PROGRAM, SOURCE, Results, check, check_close, execute, 
 
 sys.path.insert(0, str(SOURCE / "source" / "python"))
 from crevasse import figures as make_figures, report as make_report  # noqa: E402
-from crevasse import findings, histories, run_reader, study_figures, wording  # noqa: E402
+from crevasse import findings, histories, run_reader, sweep_figures, wording  # noqa: E402
 
 PAPER = SOURCE / "prm" / "raous1980.prm"
 
@@ -349,7 +349,7 @@ def charts_of_many_lines():
     rows = [{"point": f"{i}_{k}", "Geometry/Width": str(i), "Title": f"form {k}",
              "status": "done"} for i in (1, 2) for k in range(10)]
     numbers = {row["point"]: 10. ** (k % 10) for k, row in enumerate(rows)}
-    axes, = study_figures.draw(rows, "opening", numbers, "Geometry/Width").axes
+    axes, = sweep_figures.draw_results(rows, "opening", numbers, "Geometry/Width").axes
     check(axes.get_yscale() == "log", f"the axis is {axes.get_yscale()}")
     axes.figure.canvas.draw()
     legend = axes.get_legend().get_window_extent()

@@ -21,8 +21,8 @@ from crevasse.advise_period import Period
 from crevasse.advise_runs import Runs
 from crevasse.advise_search import Search
 from crevasse.command import CommandError, Log, Parser, Stop, taken
-from crevasse.comparison import LAST_PERIODS
 from crevasse.program import Program
+from crevasse.quantities import LAST_PERIODS
 from crevasse.results import ResultsError, number, parse_parameters, probes_of
 
 ERROR_OF_BASE = 0.1  # of the steps with which meshes are compared
@@ -81,9 +81,8 @@ class Advice:
         self.errors = Errors(self.runs, self.scene, quantities)
         self.period = Period(self.scene, self.target)
         self.common = {"Contact/Solver": "automatic", "Linear solver/Type": "automatic"}
-        for name in ("Contact/Relaxation table",):
-            if self.scene.get(name):
-                self.common[name] = ""
+        if self.scene.get("Contact/Relaxation table"):
+            self.common["Contact/Relaxation table"] = ""
         self.own = self.own_error = None
 
     def settings(self, space, time, purpose):

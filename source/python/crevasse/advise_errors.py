@@ -8,10 +8,9 @@ import math
 import numpy
 
 from crevasse.command import CommandError
-from crevasse.comparison import (Comparison, Table, compare, depends_on_constant,
-                                 is_periodic)
 from crevasse.quantities import TABLES as ALL_TABLES
-from crevasse.quantities import PROBE, did_you_mean, has_lip, kind
+from crevasse.quantities import (PROBE, Comparison, Table, compare, depends_on_constant,
+                                 did_you_mean, has_lip, is_periodic, kind)
 
 # These differ from mesh to mesh.
 OF_MESH = ("stress", "periods/stress_change", "contact/closed_nodes",

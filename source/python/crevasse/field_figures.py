@@ -1,19 +1,25 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 # Copyright (C) 2026 by the Crevasse authors
 
-"""Figures 1, 4, 5 and 6: the mesh and the fields of one instant."""
+"""Figures 1, 4, 5 and 6: the mesh and the fields of one instant; and which of the
+stored instants pictures show."""
 
 import numpy
 from matplotlib import colormaps
 from matplotlib.collections import LineCollection, PolyCollection
 from matplotlib.lines import Line2D
 
+from crevasse import headline
+from crevasse.fields import read_pieces
 from crevasse.level_curves import draw_level_curves
 from crevasse.plotting import (BLUE, COMPRESSION, INK, TENSION, VERMILION, deformed,
                                draw_crosses, draw_outline, finish_body, pyplot,
                                round_number, signed, thin_out)
+from crevasse.quantities import SAME_INSTANT
+from crevasse.results import number
 
 COMPONENTS = ("11", "22", "12")
+MOST_FILES = 25  # that are looked into
 
 
 def mesh(run, fields):
@@ -53,13 +59,13 @@ def draw_materials(axes, fields, names):
     material = fields.data["material"][fields.corners[:, 0]]
     numbers = numpy.unique(material)
     colours = colormaps["Pastel1"]
-    for number in numbers:
-        cells = fields.points[fields.quads[material == number]]
-        colour = colours(int(number) % colours.N)
+    for id in numbers:
+        cells = fields.points[fields.quads[material == id]]
+        colour = colours(int(id) % colours.N)
         axes.add_collection(PolyCollection(cells, facecolors=colour, zorder=0))
         if len(numbers) <= colours.N:
             axes.plot([], [], "s", color=colour,
-                      label=names.get(int(number), f"material {number:g}"))
+                      label=names.get(int(id), f"material {id:g}"))
 
 
 def built_in_shape(run):
@@ -172,3 +178,54 @@ def draw_fields(run, fields, t, magnify):
                        ("figure5_principal_stresses", principal_stresses),
                        ("figure6_deviator_invariant", deviator_invariant)):
         yield name, draw(fields, magnify, caption)
+
+
+def is_scene_of_paper(run):
+    return run.parameter("Title").startswith("Raous (1980)")
+
+
+def shown_instant(run):
+    """The instant (t, file) of pictures: in the paper's scenes next to T/4, else that
+    of the largest stress intensity or, without one, of the largest stress."""
+    if is_scene_of_paper(run):
+        return run.choose_instant(instant_of_paper(run))
+    stored = run.instants()
+    if len(stored) < 2:
+        return stored[0]
+    if found := headline.loading_of_crack(run):
+        t, K = found
+        values = [K[abs(t - instant).argmin()] for instant, _ in stored]
+        if max(values) > 1e-6 * abs(K).max():
+            return stored[int(numpy.argmax(values))]
+    return max(with_creep_integral(run, stored), key=lambda entry: largest_stress(
+        entry[1], run.dimension))
+
+
+def instant_of_paper(run):
+    """The instant T/4 of the paper, or the field time of the scene next to it."""
+    named = [value for value in map(number, run.parameter("Output/Field times")
+                                    .split(",")) if value is not None]
+    return min(named, key=lambda t: abs(t - run.period / 4),
+               default=run.period / 4)
+
+
+def evenly(stored):
+    """All instants or, of many, some at equal distances."""
+    rows = numpy.linspace(0, len(stored) - 1, min(len(stored), MOST_FILES))
+    return [stored[k] for k in numpy.unique(rows.round().astype(int))]
+
+
+def with_creep_integral(run, stored):
+    """The stored instants at which C(t), and so the singular stress, is known, if there
+    are any; of many some."""
+    some = evenly(stored)
+    tables = [table for name, table in run.tables.items()
+              if name.startswith("creep_integral")]
+    known = [(t, path) for t, path in some for table in tables[:1]
+             if abs(table["t"] - t).min() <= SAME_INSTANT * run.period]
+    return known or some
+
+
+def largest_stress(path, dimension):
+    data = read_pieces(path, dimension)[2]
+    return data["von_mises_stress"].max() if "von_mises_stress" in data else 0.

@@ -14,14 +14,13 @@ from matplotlib import colormaps
 from matplotlib.colors import to_hex
 import numpy
 
+from crevasse.field_figures import evenly, shown_instant
 from crevasse.fields import node_areas, read_pieces
 from crevasse.level_curves import even_levels, range_without_peaks
 from crevasse.plotting import magnification
 from crevasse.results import ResultsError
-from crevasse.shown_instant import shown_instant
 from crevasse.skin import Skin
 
-MOST_INSTANTS = 25
 MOST_CHARACTERS = 16_000_000  # of the report
 NOISE = 1e-6  # of the largest value of a kind: rounding
 
@@ -65,8 +64,7 @@ def pack(run):
     stored = run.instants()
     if not stored:
         return None
-    rows = numpy.linspace(0, len(stored) - 1, min(len(stored), MOST_INSTANTS))
-    times, files = zip(*[stored[k] for k in numpy.unique(rows.round().astype(int))])
+    times, files = zip(*evenly(stored))
     skin, fields = read(run, files)
     displacements = numpy.stack([fields[f"displacement_{k + 1}"]
                                  for k in range(run.dimension)], -1)
@@ -77,7 +75,7 @@ def pack(run):
               "times": times, "stored": len(stored),
               "points": text_of(skin.points.astype(numpy.float32).view(numpy.uint32)),
               "quads": text_of(zigzag(numpy.diff(skin.quads.astype(numpy.int32), axis=0,
-                                                 prepend=0), 32)),
+                                                 prepend=0))),
               "marks": text_of(marks),
               "factor": magnification(skin.points, displacements, 0.06),
               "first": int(abs(numpy.array(times) - shown_instant(run)[0]).argmin()),
@@ -176,13 +174,13 @@ def band_colours(levels):
 def encode(values, low, quantum):
     q = numpy.rint((values.astype(float) - low) / quantum).clip(0, 65535)
     differences = numpy.diff(q.astype(numpy.uint16), prepend=numpy.uint16(0))
-    return text_of(zigzag(differences.view(numpy.int16), 16))
+    return text_of(zigzag(differences.view(numpy.int16)))
 
 
-def zigzag(differences, bits):
+def zigzag(differences):
     """Maps small numbers of either sign to small numbers without sign."""
-    kind = {16: numpy.uint16, 32: numpy.uint32}[bits]
-    return ((differences << 1) ^ (differences >> (bits - 1))).astype(kind)
+    bits = 8 * differences.itemsize
+    return ((differences << 1) ^ (differences >> (bits - 1))).astype(f"u{bits // 8}")
 
 
 def text_of(values):

@@ -16,7 +16,6 @@ from crevasse.fields import Fields
 from crevasse.plotting import save
 from crevasse.results import ResultsError
 from crevasse.run_reader import Run
-from crevasse.shown_instant import shown_instant
 from crevasse.sweep_table import COSTS
 
 
@@ -71,7 +70,8 @@ def field_drawings(run, options):
         print("No fields in this run: figures 1, 4, 5 and 6 are left out.")
         return
     wanted = options.instant
-    t, path = shown_instant(run) if wanted is None else run.choose_instant(wanted)
+    t, path = (field_figures.shown_instant(run) if wanted is None else
+               run.choose_instant(wanted))
     within = t % run.period
     if wanted is not None and abs(within - wanted) > 0.01 * run.period:
         print(f"Nearest stored field: t = {t:g}, which is {within:g} within "

@@ -12,8 +12,7 @@ import numpy
 
 from crevasse import findings, histories
 from crevasse.findings import INTENSITY
-from crevasse.lip import last_period
-from crevasse.results import at
+from crevasse.results import at, is_number
 from crevasse.wording import significant
 
 # An error of None is not known.
@@ -38,11 +37,6 @@ def numbers(run):
                         "length")]
     return (place_of(tips, k) if len(tips) > 1 else "",
             [number for number in found if is_number(number.value)])
-
-
-def is_number(value):
-    return (isinstance(value, (int, float)) and not isinstance(value, bool)
-            and math.isfinite(value))
 
 
 def leading_tip(tips):
@@ -163,7 +157,7 @@ def chart(run):
         found = table["t"], {"C_t": table["C_t"]}
         title, axis, log = "Creep integral C(t)", f"C(t) ({FLOW})", True
     t, curves = found
-    short = last_period(t, run.period) is None and t[-1] - t[0] < 0.99 * run.period
+    short = histories.last_period(t, run.period) is None and t[-1] - t[0] < 0.99 * run.period
     span = "the time computed" if short else "the last period"
     curves = dict(list(curves.items())[:MOST_TIPS])
     largest = max(abs(values).max() for values in curves.values())

@@ -1,16 +1,17 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 # Copyright (C) 2026 by the Crevasse authors
 
-"""Charts of what a run has over time: probes, lip, stress intensity. A chart is
-what templates/charts.js draws: series, and views with the values of each."""
+"""Charts of what a run has over time: probes, lip, stress intensity; and when the lip
+is open, partly closed and closed. A chart is what templates/charts.js draws: series,
+and views with the values of each."""
 
 import numpy
 
-from crevasse.lip import BEARS, largest_stress, last_period, nodes_of_lip
 from crevasse.plotting import BLUE, GREEN, INK, PURPLE, VERMILION
 
 COLOURS = (BLUE, VERMILION, GREEN, PURPLE, INK, "#E69F00")
 MOST_ROWS = 2000
+BEARS = 1e-6  # pressures below this part of the largest stress are noise
 ROUNDING = 1e-9  # values below this part of the largest of their kind are noise
 
 
@@ -22,7 +23,7 @@ def probe_charts(run, name):
                                ("opening", "opening", "u_N − gap (length)"),
                                ("contact pressure", "pressure", "g (stress)")):
         columns = [column for column in table if column.startswith(prefix)
-                   and not vanishes(table, column)]
+                   and (column != "s_33" or table[column].any())]  # plane stress
         if columns:
             yield chart(run, table, columns, axis, f"{name}: {kind}",
                         noise=ROUNDING * largest(table, kind))
@@ -33,11 +34,6 @@ def largest(table, kind):
     first = "u_" if kind in ("displacement", "opening") else "s_"
     return max(abs(values).max() for column, values in table.items()
                if column.startswith(first))
-
-
-def vanishes(table, column):
-    """Whether a column is zero everywhere, such as s_33 in plane stress."""
-    return column == "s_33" and not table[column].any()
 
 
 def lip_charts(run):
@@ -147,3 +143,45 @@ def symbol(column):
     if not index.isdigit():
         return words.get(column, column)
     return kind + index.translate(str.maketrans("123", "₁₂₃"))
+
+
+def last_period(t, period):
+    """Begin of the last period, one period before the end: a run that was stopped may
+    have ended within a period. None where that is nearly the whole run."""
+    if t[-1] - t[0] < 1.5 * period:
+        return None
+    return t[-1] - period
+
+
+def nodes_of_lip(run):
+    return run.summary.get("contact_nodes") or int(
+        run.tables["contact.csv"]["closed_nodes"].max())
+
+
+def lip_intervals(run):
+    """[begin, end, state] of "closed" and "partly closed" stretches of time;
+    between them the lip is open. A node that touches without pressing is open:
+    so the lip is at rest."""
+    table = run.tables.get("contact.csv")
+    if table is None:
+        return []
+    presses = table["largest_pressure"] > BEARS * largest_stress(run)
+    closed = table["closed_nodes"] >= nodes_of_lip(run)
+    states = numpy.where(presses, numpy.where(closed, 2, 1), 0)
+    t = table["t"]
+    middle = numpy.concatenate([t[:1], (t[1:] + t[:-1]) / 2, t[-1:]])
+    changes = numpy.flatnonzero(numpy.diff(states)) + 1
+    ends = [0, *changes, len(t)]
+    return [[float(middle[a]), float(middle[b]), int(states[a])]
+            for a, b in zip(ends[:-1], ends[1:]) if states[a]]
+
+
+def largest_stress(run):
+    """Largest stress of the run: much smaller pressures are noise."""
+    sizes = [run.summary_number("extremes", "stress") or 0,
+             abs(run.tables["contact.csv"]["largest_pressure"]).max()]
+    for name, table in run.tables.items():
+        if name.startswith("probe_"):
+            sizes += [abs(values).max() for column, values in table.items()
+                      if column.startswith("s_")]
+    return max(sizes)

@@ -10,12 +10,12 @@ import io
 
 from matplotlib import pyplot
 
-from crevasse import field_figures, front_figure, probe_figures, tip_figure
+from crevasse import field_figures, probe_figures, tip_figure
+from crevasse.field_figures import is_scene_of_paper, shown_instant
 from crevasse.fields import Fields
 from crevasse.plotting import magnification, write_png
 from crevasse.results import ResultsError, mouth_of_crack
 from crevasse.run_reader import Run
-from crevasse.shown_instant import is_scene_of_paper, shown_instant
 
 Picture = collections.namedtuple("Picture", "title, data, style")
 # In scenes of the paper, and in others.
@@ -55,7 +55,7 @@ def pictures(run):
              in field_pictures(run, missing)}
     drawn |= probe_pictures(run, missing)
     if "crack_front.csv" in run.tables:
-        drawn["front"] = encode(run, "front", front_figure.intensity(run))
+        drawn["front"] = encode(run, "front", tip_figure.along_front(run))
     return [drawn[name] for name in TITLES if name in drawn], missing
 
 

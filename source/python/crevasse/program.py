@@ -17,9 +17,8 @@ import subprocess
 import tempfile
 import time
 
-from crevasse import summary_file
 from crevasse.command import CommandError
-from crevasse.results import at
+from crevasse.results import at, read_summary
 
 # mpirun starts the runs if it started this process. They must not inherit its
 # variables.
@@ -198,7 +197,7 @@ class Program:
         message, folder = message_of(call), call.folder
         if call.status == 4:
             raise CommandError(message, 4)
-        summary, _ = summary_file.read(folder / "summary.json")
+        summary, _ = read_summary(folder / "summary.json")
         # A run writes used.prm when nothing is wrong with its scene and its step.
         status = ("done" if call.status == 0 else
                   "refused" if call.status > 0 and not (folder / "used.prm").exists() else

@@ -1,15 +1,58 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 # Copyright (C) 2026 by the Crevasse authors
 
-"""Parameters, points and XML files, as runs write them."""
+"""Parameters, points, summaries and XML files, as runs write them. Parts of summaries
+without the expected shape are left out and reported: a damaged or edited file may still
+be JSON."""
 
+import csv
 import decimal
+import io
+import json
+import math
 import re
 import xml.etree.ElementTree as ElementTree
+
+import numpy
 
 
 NAMES = ("Title", "Output directory", "Mesh file", "Temperature")
 NUMBER = re.compile(r"(?<![\w.])(\d+\.?\d*|\.\d+)([eE][-+]?\d+)?(?![\w.])")
+A_NUMBER, A_TEXT, YES_OR_NO = "number", "text", "yes or no"
+EACH = "each"  # whatever its name is
+# Shapes of what the pages look into; of the rest they show what is there.
+SHAPES = {
+    "effects": {EACH: {"on": YES_OR_NO, "why": A_TEXT}},
+    "counters": {EACH: A_NUMBER},
+    "certificate": {EACH: A_NUMBER},
+    "seconds": {EACH: A_NUMBER}, "calls": {EACH: A_NUMBER}, "share": {EACH: A_NUMBER},
+    "extremes": {EACH: A_NUMBER}, "closed_part": {EACH: A_NUMBER},
+    "secular": {"on": YES_OR_NO, "opening_nodes": A_NUMBER,
+                "per_probe": {EACH: {"beta": [A_NUMBER], "mean_pressure": A_NUMBER}}},
+    "drift": {"per_probe": {EACH: [A_NUMBER]}},
+    "crack_tip": {"method": A_TEXT, "position": [A_NUMBER], "direction": [A_NUMBER],
+                  "radius": A_NUMBER},
+    "crack_tips": [{"method": A_TEXT, "position": [A_NUMBER], "direction": [A_NUMBER],
+                    "radius": A_NUMBER,
+                    "K_I": {EACH: A_NUMBER}, "K_II": {EACH: A_NUMBER},
+                    "energy_release_rate": {EACH: A_NUMBER},
+                    "equivalent_intensity": {EACH: A_NUMBER}, "growth_angle": A_NUMBER,
+                    "growth_angle_G": A_NUMBER, "Delta_K": A_NUMBER,
+                    "Delta_K_I": A_NUMBER, "Delta_K_II": A_NUMBER,
+                    "Delta_K_eff": A_NUMBER, "K_opening": A_NUMBER, "no_K_opening": A_TEXT,
+                    "closed_part": {EACH: A_NUMBER}}],
+    "creep_integrals": [{"position": [A_NUMBER], "direction": [A_NUMBER],
+                         "radius": A_NUMBER, "largest": A_NUMBER, "last": A_NUMBER,
+                         "error_of_largest": A_NUMBER, "error_of_last": A_NUMBER}],
+    "crack_front": {"radius": A_NUMBER, "vertices": A_NUMBER, **dict.fromkeys(
+        ("K_I", "K_II", "K_III"), {EACH: {
+            "value": A_NUMBER, "t": A_NUMBER, "s": A_NUMBER, "position": [A_NUMBER]}})},
+    "contact_solver": {}, "linear_solver": {}, "time_integration": {},
+    "libraries": {}, "elastic_comparison": {},
+    "refinement": {"meshes": [{}], "readaptations": [{}]},
+    "warnings": [A_TEXT], "cells_of_ranks": [A_NUMBER],
+    "stress_change": [A_NUMBER], "stress_error_estimate": [A_NUMBER],
+    "periods": A_NUMBER, "converged": YES_OR_NO, "contact_nodes": A_NUMBER}
 
 
 class ResultsError(Exception):
@@ -89,6 +132,16 @@ def parse_parameters(text, source="used.prm"):
     return values, defaults
 
 
+def read_columns(text):
+    """{column: values} of a table. Raises ValueError or csv.Error if it is damaged."""
+    header, *rows = list(csv.reader(io.StringIO(text))) or [[]]
+    for line, row in enumerate(rows, 2):
+        if len(row) != len(header):
+            raise ValueError(f"line {line} has {len(row)} of {len(header)} columns")
+    return dict(zip(header, numpy.array(rows, dtype=float).reshape(
+        -1, max(len(header), 1)).T))
+
+
 def named_points(text):
     """Name and coordinates of each entry of "A: 0, 0; B: 1, 0"."""
     for entry in filter(None, map(str.strip, text.split(";"))):
@@ -121,3 +174,48 @@ def read_xml(path):
         return ElementTree.parse(path).getroot()
     except (OSError, ElementTree.ParseError) as error:
         raise ResultsError(f"{path}: cannot be read ({error}).") from None
+
+
+def read_summary(path):
+    """The summary, and sentences about what is wrong with it; None if there is no file.
+    """
+    try:
+        summary = json.loads(path.read_text(encoding="utf-8"))
+    except FileNotFoundError:
+        return {}, None
+    except (OSError, ValueError) as error:
+        return {}, [f"{error}"]
+    if not isinstance(summary, dict):
+        return {}, ["is not a summary"]
+    wrong = [name for name, shape in SHAPES.items()
+             if name in summary and not has_shape(summary[name], shape)]
+    for name in wrong:
+        del summary[name]
+    return summary, [f"{name} is not what a run writes" for name in wrong]
+
+
+def is_number(value):
+    """Whether a value of JSON is a finite number, which may have hundreds of digits."""
+    try:
+        return (isinstance(value, (int, float)) and not isinstance(value, bool)
+                and math.isfinite(value))
+    except OverflowError:
+        return False
+
+
+def has_shape(value, shape):
+    """Whether a value has the expected shape. Unknown numbers and answers are null."""
+    if isinstance(shape, list):
+        return isinstance(value, list) and all(has_shape(item, shape[0])
+                                               for item in value)
+    if isinstance(shape, dict):
+        return isinstance(value, dict) and all(
+            has_shape(item, shape.get(name, shape.get(EACH)))
+            for name, item in value.items())
+    if shape == A_NUMBER:
+        return value is None or is_number(value)
+    if shape == A_TEXT:
+        return isinstance(value, str)
+    if shape == YES_OR_NO:
+        return value is None or isinstance(value, bool)
+    return True

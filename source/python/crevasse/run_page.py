@@ -10,7 +10,6 @@ import os
 
 from crevasse import field_view, headline, histories, paper
 from crevasse.ending import checkpoint, ending_of
-from crevasse.lip import lip_intervals
 from crevasse.page import render
 from crevasse.plotting import BLUE, GREY, VERMILION
 from crevasse.results import number
@@ -32,7 +31,7 @@ def page(directory):
         relaxation) if chart]
     for k, chart in enumerate(charts):
         chart["id"] = f"chart{k}"
-    shades = lip_intervals(run)
+    shades = histories.lip_intervals(run)
     lip = "contact.csv" in run.tables
     text = render(
         "run.html", run=run, summary=run.summary, ending=ending,

@@ -5,15 +5,13 @@
 
 import collections
 import csv
-import io
 import pathlib
 import re
 
 import numpy
 
-from crevasse import summary_file
-from crevasse.results import (ResultsError, at, number, probes_of, read_parameters,
-                              read_xml)
+from crevasse.results import (ResultsError, at, is_number, number, probes_of,
+                              read_columns, read_parameters, read_summary, read_xml)
 
 Period = collections.namedtuple("Period", "number, begin, end")
 
@@ -101,7 +99,7 @@ class Run:
         """Reads the summary, and whether there is one. A run that is resumed removes
         it at any moment."""
         path = self.directory / "summary.json"
-        summary, troubles = summary_file.read(path)
+        summary, troubles = read_summary(path)
         for trouble in troubles or ():
             self.note(path, trouble)
         return troubles is not None, summary or {}
@@ -115,32 +113,24 @@ class Run:
         written and is left out then; one that is resumed replaces its tables."""
         try:
             text = path.read_text(encoding="utf-8")
-            header, *rows = list(csv.reader(io.StringIO(text))) or [[]]
+            if not self.finished:
+                text = text[:text.rfind("\n") + 1]
+            table = read_columns(text)
         except FileNotFoundError:
             return None
         except (OSError, ValueError, csv.Error) as error:
             return self.note(path, f"{error}")
-        if not self.finished and not text.endswith("\n"):
-            rows = rows[:-1]
-        if not header:
+        if not table:
             return self.note(path, "is empty") if self.finished else None
-        for number, row in enumerate(rows, 2):
-            if len(row) != len(header):
-                return self.note(path, f"line {number} has {len(row)} of "
-                                       f"{len(header)} columns")
-        try:
-            values = numpy.array(rows, dtype=float).reshape(-1, len(header))
-        except ValueError as error:
-            return self.note(path, f"{error}")
-        table = dict(zip(header, values.T))
         if trouble := self.trouble_with(path.name, table):
             return self.note(path, trouble)
-        if len(rows):
+        if len(next(iter(table.values()))):
             self.tables[path.name] = table
 
     def trouble_with(self, name, table):
         """The mistake in columns or numbers; None if there is none."""
-        for column in columns_of(name):
+        for column in next(columns for begin, columns in COLUMNS.items()
+                           if name.startswith(begin)):
             if column not in table:
                 return f"has no column {column}"
         for column, values in table.items():
@@ -238,11 +228,4 @@ class Run:
     def summary_number(self, *names):
         """A number of the summary by its path; None if there is none."""
         value = at(self.summary, names)
-        return value if isinstance(value, (int, float)) and not isinstance(
-            value, bool) else None
-
-
-def columns_of(name):
-    """The columns that a table of this name must have."""
-    return next(columns for begin, columns in COLUMNS.items()
-                if name.startswith(begin))
+        return value if is_number(value) else None

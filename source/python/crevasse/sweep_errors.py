@@ -9,9 +9,9 @@ import math
 import numpy
 
 from crevasse.command import CommandError
-from crevasse.comparison import Table, compare, depends_on_constant, without_means
-from crevasse.quantities import (PROBE, TABLES, common_instants, did_you_mean, has_lip,
-                                 kind)
+from crevasse.quantities import (PROBE, TABLES, Table, common_instants, compare,
+                                 depends_on_constant, did_you_mean, has_lip, kind,
+                                 without_means)
 from crevasse.results import ResultsError, probes_of
 from crevasse.sweep_plan import quote, require_none, shorten, split, squeeze
 

@@ -1,12 +1,14 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 # Copyright (C) 2026 by the Crevasse authors
 
-"""Which figures of a sweep are drawn."""
+"""The figures of a sweep: its results against what varies, errors against costs."""
 
-from crevasse import study_figures, work_precision
-from crevasse.results import ResultsError
-from crevasse.sweep_table import (findings_of, first_of_size, parameters, quantities,
-                                  read_rows, varying, wall_times)
+from crevasse.histories import spans_decades
+from crevasse.plotting import GREY, add_legend, line_style, name_numbers, pyplot
+from crevasse.results import ResultsError, number
+from crevasse.sweep_table import (COSTS, findings_of, first_of_size, is_geometric,
+                                  is_numeric, joined, label, lines_of, parameters,
+                                  quantities, read_rows, varying, wall_times)
 
 
 def drawings(options):
@@ -26,9 +28,9 @@ def drawings(options):
         if not options.quantity:
             print(f"errors of {quantity}; --quantity takes another of "
                   + ", ".join(errors))
-        yield "work_precision", work_precision.draw(rows, options.x, quantity, along)
+        yield "work_precision", draw_errors(rows, options.x, quantity, along)
     for name, numbers in found.items():
-        yield name, study_figures.draw(rows, name, numbers, along)
+        yield name, draw_results(rows, name, numbers, along)
     if not errors and not found:
         raise ResultsError(f"{options.results}: no result of the sweep varies, and it "
                            "has measured no errors. There is nothing to draw.")
@@ -41,3 +43,62 @@ def choose(wanted, available, what):
             return name
     raise ResultsError(f"There is no {what} {wanted}. There are: "
                        f"{', '.join(available) or 'none'}.")
+
+
+def draw_results(rows, name, numbers, along=None):
+    """A figure of the numbers of the points against what varies, one line for each
+    combination of the parameters that are not followed along a line."""
+    along, others, lines = lines_of(rows, along)
+    numeric = is_numeric(rows, along)
+    figure, axes = pyplot.subplots(figsize=(5.6, 3.6), constrained_layout=True)
+    for i, (text, members) in enumerate(joined(lines)):
+        shown = [row for row in members if row["point"] in numbers]
+        x = [float(row[along]) if numeric else row[along] for row in shown]
+        y = [numbers[row["point"]] for row in shown]
+        style = line_style(i)
+        axes.plot(x, y, label=text, linestyle="-" if numeric else "", **style)
+        unsettled = [k for k, row in enumerate(shown) if row["status"] != "done"]
+        axes.plot([x[k] for k in unsettled], [y[k] for k in unsettled], linestyle="",
+                  **style | {"markerfacecolor": "white"})
+    axes.set(xlabel=along.split("/")[-1],
+             ylabel=label(name))
+    if spans_decades(list(numbers.values())):
+        axes.set_yscale("log")
+    axes.grid(True, which="major", alpha=0.25, linewidth=0.6)
+    if numeric and is_geometric(rows, along):
+        axes.set_xscale("log")
+        name_numbers(axes)
+    if others and len(lines) > 1:
+        add_legend(axes)
+    return figure
+
+
+def draw_errors(rows, cost, quantity, along=None):
+    """A figure of errors against their costs, with the same lines."""
+    along, others, followed = lines_of(rows, along)
+    figure, axes = pyplot.subplots(figsize=(5.6, 4.0), constrained_layout=True)
+    drawn = 0
+    for i, (text, members) in enumerate(followed):
+        points = [(number(row[cost]), number(row["error:" + quantity]), row[along])
+                  for row in members]
+        points = [point for point in points if point[0] and point[1]]
+        if not points:
+            print(f"{text or 'the points'}: nothing to draw")
+            continue
+        style = line_style(i)
+        axes.loglog(*zip(*[point[:2] for point in points]), label=text, **style)
+        for x, y, value in points:
+            axes.annotate(value, (x, y), xytext=(4, 4), fontsize=6.5,
+                          color=style["color"], textcoords="offset points")
+        drawn += len(points)
+    if not drawn:
+        raise ResultsError(f"No point has an error of {quantity} and {COSTS[cost]}; "
+                           "--x and --quantity choose others.")
+    axes.set(xlabel=COSTS[cost], ylabel=f"relative error of {quantity}")
+    axes.set_title(f"numbers: {along.split('/')[-1]}", fontsize=8, loc="right",
+                   color=GREY)
+    axes.grid(True, which="major", alpha=0.25, linewidth=0.6)
+    name_numbers(axes)
+    if others:
+        add_legend(axes)
+    return figure

@@ -4,6 +4,7 @@
 """The report of a sweep: the results of its points against what varies, and, where
 errors were measured, what accuracy costs and which points no other one beats."""
 
+import collections
 import json
 import math
 import re
@@ -44,7 +45,8 @@ def page(directory):
         findings={name: findings.label(name) for name in found},
         constant={findings.label(name): next(iter(points.values()))
                   for name, points in found.items() if name not in drawn},
-        result_charts=result_charts, damages=damages, states=states(rows),
+        result_charts=result_charts, damages=damages,
+        states=collections.Counter(row["status"] for row in rows),
         scene=scene_of(directory, rows), orders=any("order:" + name in rows[0]
                                                     for name in quantities),
         beside=any((number(row.get("jobs", "")) or 1) > 1 for row in rows),
@@ -69,14 +71,6 @@ def values(rows):
     """The values of each varied parameter, in the order of the points."""
     return {name: list(dict.fromkeys(row[name] for row in rows))
             for name in sweep_table.parameters(rows)}
-
-
-def states(rows):
-    """How many points ended how."""
-    counts = {}
-    for row in rows:
-        counts[row["status"]] = counts.get(row["status"], 0) + 1
-    return counts
 
 
 def points_to_come(directory, rows):

@@ -11,7 +11,7 @@ import re
 
 from crevasse import findings
 from crevasse.command import CommandError
-from crevasse.comparison import LAST_PERIODS, is_periodic
+from crevasse.quantities import LAST_PERIODS, is_periodic
 from crevasse.results import ResultsError, normal_form, parse_parameters
 from crevasse.sweep_errors import (STRESS, STRESS_FILE, StressReader,
                                    choose_quantities, exact_error, history_error,

@@ -144,11 +144,9 @@ def varying(found):
 
 def first_of_size(rows, quantities):
     """The first quantity whose errors are more than rounding, if there is one."""
-    for quantity in quantities:
-        if any((number(row["error:" + quantity]) or 0) > 1e-12
-               for row in rows):
-            return quantity
-    return quantities[0]
+    return next((quantity for quantity in quantities
+                 if any((number(row["error:" + quantity]) or 0) > 1e-12
+                        for row in rows)), quantities[0])
 
 
 def quantities(rows):

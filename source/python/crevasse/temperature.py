@@ -111,9 +111,6 @@ def convert(arguments):
     return len(times), len(meshes)
 
 
-# --- files ---------------------------------------------------------------------
-
-
 def instants(name):
     """The instants in ascending order: time, file name, and the fields of its
     parts, each as points, blocks of cells and arrays at the points."""
@@ -228,9 +225,6 @@ def by_meshio(name, reader):
                       f"{type(error).__name__} {error}") from None
 
 
-# --- fields --------------------------------------------------------------------
-
-
 def merge(name, parts, array):
     """Points, simplices, temperature and dimension of one instant. Vertices of
     several parts are not merged: a temperature may jump across a crack."""
@@ -298,7 +292,3 @@ def check(name, points, simplices, values):
                           ("temperatures", values[simplices.ravel()])):
         if not numpy.isfinite(numbers).all():
             raise Mistake(f"{name}: some {what} are not finite.")
-
-
-if __name__ == "__main__":
-    sys.exit(main(sys.argv[1:]))

@@ -1,15 +1,16 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 # Copyright (C) 2026 by the Crevasse authors
 
-"""A figure of the stress across the crack plane ahead of each tip, over the distance
-in logarithms, with the singular stress of K_I or of C(t) there."""
+"""Figures of the stress across the crack plane ahead of each tip, over the distance
+in logarithms, with the singular stress of K_I or of C(t) there; and of K_I along a
+front in space, of two lips also K_II and K_III, over arc length and time."""
 
 import math
 
 from matplotlib import pyplot
 import numpy
 
-from crevasse.plotting import BLUE, INK, VERMILION
+from crevasse.plotting import BLUE, GREY, INK, VERMILION
 from crevasse.quantities import SAME_INSTANT
 from crevasse.results import number
 
@@ -32,11 +33,9 @@ SINGULAR = {"plane strain": ((1, 6.2832, 1.1547), (1.2, 6.2641, 1.2936),
 
 def tips_of(run):
     """Pairs (entry of summary.json, table) of the tips."""
-    tables = [("crack_tips", "crack_tip"), ("creep_integrals", "creep_integral")]
-    tips = [(run.summary["crack_tip"], "crack_tip.csv")] if "crack_tip" in \
-        run.summary else []
-    for key, name in tables:
-        for k, tip in enumerate(run.summary.get(key, ()), 1):
+    tips = [(run.summary.get("crack_tip", {}), "crack_tip.csv")]
+    for name in ("crack_tip", "creep_integral"):
+        for k, tip in enumerate(run.summary.get(f"{name}s", ()), 1):
             table = f"{name}_{k}.csv"
             tips.append((tip, table if table in run.tables else f"{name}.csv"))
     return [(tip, table) for tip, table in tips if table in run.tables
@@ -107,3 +106,48 @@ def singular_field(state, n):
     exponents, *columns = zip(*SINGULAR[state])
     return [numpy.interp(-1 / n, [-1 / m for m in exponents], values)
             for values in columns]
+
+
+def along_front(run):
+    """A figure of crack_front.csv; a row of axes for each front and mode: K at the
+    instants of its extremes, and over arc length and time."""
+    table = run.tables["crack_front.csv"]
+    fronts = numpy.unique(table["front"])
+    rows = [(front, name) for front in fronts for name in ("K_I", "K_II", "K_III")
+            if name in table]
+    figure, all_axes = pyplot.subplots(len(rows), 2, figsize=(9, 3.2 * len(rows)),
+                                       squeeze=False, layout="constrained")
+    for (front, name), axes in zip(rows, all_axes):
+        own = table["front"] == front
+        t, s = numpy.unique(table["t"][own]), numpy.unique(table["s"][own])
+        K, error = (table[column][own].reshape(len(t), len(s))
+                    for column in (name, name + "_error"))
+        label = "K$_{" + name[2:] + "}$ (stress × √length)"
+        draw_lines(axes[0], t, s, K, error, label)
+        draw_map(axes[1], t, s, K, label)
+        if len(fronts) > 1:
+            axes[0].set_title(f"front {front:g}")
+    return figure
+
+
+def draw_lines(axes, t, s, K, error, label):
+    """Draws K along the front at some instants, with a band of the estimated error."""
+    instants = {K.max(axis=1).argmax(): VERMILION, K.min(axis=1).argmin(): BLUE}
+    for k, colour in instants.items():
+        axes.fill_between(s, K[k] - error[k], K[k] + error[k], color=colour,
+                          alpha=0.25, linewidth=0)
+        axes.plot(s, K[k], color=colour, marker=".", label=f"t = {t[k]:g}")
+    axes.axhline(0, color=GREY, linewidth=0.6)
+    axes.set(xlabel="s along the front (length)", ylabel=label)
+    axes.legend()
+
+
+def draw_map(axes, t, s, K, label):
+    if len(t) < 2 or len(s) < 2:
+        axes.axis("off")
+        return
+    size = abs(K).max() or 1.
+    shades = axes.pcolormesh(s, t, K, shading="gouraud", cmap="RdBu_r", vmin=-size,
+                             vmax=size)
+    axes.set(xlabel="s along the front (length)", ylabel="t (time)")
+    axes.figure.colorbar(shades, ax=axes, label=label).outline.set_edgecolor(INK)
