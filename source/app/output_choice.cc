@@ -58,10 +58,10 @@ namespace Crevasse
   OutputChoice::OutputChoice(const Command &command, const Scene &scene)
     : from_command_line(!command.output_directory.empty())
     , may_replace(command.force)
-    , path(from_command_line ? command.output_directory
-           : !scene.output_directory.empty()
-             ? scene.output_directory
-             : "results/" + fs::path(command.scene_file).stem().string())
+    , directory(from_command_line ? command.output_directory
+                : !scene.output_directory.empty()
+                  ? scene.output_directory
+                  : "results/" + fs::path(command.scene_file).stem().string())
   {
   }
 
@@ -71,7 +71,7 @@ namespace Crevasse
   OutputChoice::fail(const std::string &what) const
   {
     throw FileError((from_command_line ? "--output " : "[Output directory] ") +
-                    path + ": " + what +
+                    directory + ": " + what +
                     ". Choose another one by --output DIR.");
   }
 
@@ -80,7 +80,7 @@ namespace Crevasse
   void
   OutputChoice::require_usable() const
   {
-    const fs::path    part = existing_part(path);
+    const fs::path    part = existing_part(directory);
     const std::string beginning =
       "results cannot be written there, because " + part.string();
     std::error_code unknown;
@@ -96,10 +96,10 @@ namespace Crevasse
   OutputChoice::require_writable() const
   {
     std::error_code error;
-    fs::create_directories(path, error);
+    fs::create_directories(directory, error);
     if (error)
       fail("cannot be created (" + error.message() + ")");
-    const fs::path probe    = fs::path(path) / ".write_test";
+    const fs::path probe    = fs::path(directory) / ".write_test";
     const bool     writable = std::ofstream(probe).put('\n').good();
     fs::remove(probe, error);
     if (!writable)
@@ -112,15 +112,15 @@ namespace Crevasse
   OutputChoice::require_nothing_to_resume(
     const std::string &used_parameters) const
   {
-    const std::string earlier = path + "/used.prm";
+    const std::string earlier = directory + "/used.prm";
     std::error_code   unknown;
     if (may_replace || !why_unreadable(earlier).empty() ||
         read_text_file(earlier) != used_parameters ||
-        fs::exists(path + "/summary.json", unknown) ||
-        !CheckpointFolder(path).has_any())
+        fs::exists(directory + "/summary.json", unknown) ||
+        !CheckpointFolder(directory).has_any())
       return;
     throw SceneError(
-      "A run of this scene was begun in " + path +
+      "A run of this scene was begun in " + directory +
       " and has not ended. Resume it from its last checkpoint by --resume, "
       "choose another directory by --output DIR, or replace it by --force.");
   }
@@ -131,7 +131,7 @@ namespace Crevasse
   OutputChoice::why_finished(const Scene   &scene,
                              const Summary &parameters) const
   {
-    const std::string name = path + "/summary.json";
+    const std::string name = directory + "/summary.json";
     std::error_code   unknown;
     if (!fs::exists(name, unknown))
       return "";
@@ -173,15 +173,15 @@ namespace Crevasse
       return ""; // the checkpoint is checked instead
     if (!summary.contains("scene") || !summary["scene"].is_object())
       throw FileError(
-        "--resume: the run in " + path +
+        "--resume: the run in " + directory +
         " has ended, but its summary.json does not hold the scene; another "
         "version of the program wrote it. Start without --resume, in another "
         "output directory.");
     require_same_scene(summary["scene"], parameters);
-    return "the run in " + path + " has ended after " +
+    return "the run in " + directory + " has ended after " +
            std::to_string(periods) + (periods == 1 ? " period" : " periods") +
            (is_enough ? ", periodic."
-            : CheckpointFolder(path).has_any()
+            : CheckpointFolder(directory).has_any()
               ? ", as many as [Periodic state] Maximum periods allows; raise "
                 "it "
                 "to continue."
@@ -193,25 +193,31 @@ namespace Crevasse
 
 
   std::unique_ptr<DirectoryLock>
-  OutputChoice::resume() const
+  OutputChoice::resume(const std::string &used,
+                       const Checkpoints &checkpoints) const
   {
+    const CheckpointManifest &manifest = checkpoints.last_manifest();
+    checkpoints.folder.require_tables(manifest);
     require_writable();
-    auto            lock = std::make_unique<DirectoryLock>(path);
+    auto            lock = std::make_unique<DirectoryLock>(directory);
     std::error_code error;
-    fs::remove(path + "/summary.json", error);
+    fs::remove(directory + "/summary.json", error);
     if (error)
-      throw FileError("Cannot remove " + path + "/summary.json (" +
+      throw FileError("Cannot remove " + directory + "/summary.json (" +
                       error.message() + ").");
+    checkpoints.folder.go_back_to(manifest);
+    write_atomically(used, directory + "/used.prm");
     return lock;
   }
 
 
 
   std::unique_ptr<DirectoryLock>
-  OutputChoice::prepare(std::string &kept) const
+  OutputChoice::prepare(const std::string &used, Log &log) const
   {
     require_writable();
-    auto lock = std::make_unique<DirectoryLock>(path);
+    auto        lock = std::make_unique<DirectoryLock>(directory);
+    std::string kept;
     try
       {
         kept = clear_earlier_results();
@@ -221,6 +227,9 @@ namespace Crevasse
         fail("the results of an earlier run cannot be moved or removed (" +
              error.code().message() + ")");
       }
+    if (!kept.empty())
+      log.line("  results of an earlier run are kept in " + kept);
+    write_atomically(used, directory + "/used.prm");
     return lock;
   }
 
@@ -235,7 +244,7 @@ namespace Crevasse
       "periods|relaxation|load_work|(crack_tip|creep_integral)(_[0-9]+)?|"
       "crack_front)\\.csv|report\\.html");
     std::vector<fs::path> found;
-    for (const fs::directory_entry &entry : fs::directory_iterator(path))
+    for (const fs::directory_entry &entry : fs::directory_iterator(directory))
       {
         const std::string name = entry.path().filename().string();
         if (name == "checkpoint")
@@ -259,7 +268,7 @@ namespace Crevasse
     const std::vector<fs::path> results = earlier_results();
     // used.prm is written anew; while it exists, the other files belong to an
     // earlier run.
-    const fs::path used = fs::path(path) / "used.prm";
+    const fs::path used = fs::path(directory) / "used.prm";
     if (!fs::is_regular_file(used))
       return "";
     const bool keep =

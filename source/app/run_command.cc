@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Crevasse authors
 
-#include <crevasse/app/failure.h>
 #include <crevasse/app/output_choice.h>
 #include <crevasse/app/run_command.h>
 #include <crevasse/base/collectively.h>
@@ -12,38 +11,66 @@
 #include <crevasse/parameters/scene_file.h>
 #include <crevasse/simulation/adaptive_run.h>
 
+#include <chrono>
 #include <filesystem>
+#include <iostream>
+#include <thread>
 
 namespace Crevasse
 {
   namespace
   {
-    /** Prepares the output directory for the results of a new run. */
-    std::unique_ptr<DirectoryLock>
-    prepare(const OutputChoice &output, const std::string &used, Log &log)
+    /** Whether all ranks arrive within some seconds; if only one rank has an
+     * error, the others wait elsewhere. */
+    bool
+    all_ranks_arrive(const MPI_Comm communicator)
     {
-      std::string kept;
-      auto        lock = output.prepare(kept);
-      if (!kept.empty())
-        log.line("  results of an earlier run are kept in " + kept);
-      write_atomically(used, output.directory() + "/used.prm");
-      return lock;
+      using namespace std::chrono;
+      constexpr std::chrono::seconds patience(10);
+
+      // A nonblocking barrier, apart from communication of the other ranks.
+      MPI_Request request;
+      int         arrived = 0;
+      MPI_Ibarrier(communicator, &request);
+      const auto start = steady_clock::now();
+      while (arrived == 0 && steady_clock::now() - start < patience)
+        {
+          std::this_thread::sleep_for(milliseconds(10));
+          MPI_Test(&request, &arrived, MPI_STATUS_IGNORE);
+        }
+      return arrived != 0;
     }
 
 
 
-    /** Prepares the output directory for the rest of a resumed run. */
-    std::unique_ptr<DirectoryLock>
-    resume(const OutputChoice &output,
-           const std::string  &used,
-           const Checkpoints  &checkpoints)
+    /**
+     * Ends a run by an exception: writes its message and returns its exit
+     * status.
+     *
+     * Most errors are thrown on all ranks at once. If only one rank has an
+     * error, e.g. if the first rank cannot write a table, the others would wait
+     * for it forever: after some seconds the rank ends all ranks by MPI_Abort,
+     * with the same status.
+     */
+    int
+    report_failure(const std::exception &error,
+                   const MPI_Comm        communicator,
+                   Log                  &log)
     {
-      const CheckpointManifest &manifest = checkpoints.last_manifest();
-      checkpoints.folder.require_tables(manifest);
-      auto lock = output.resume();
-      checkpoints.folder.go_back_to(manifest);
-      write_atomically(used, output.directory() + "/used.prm");
-      return lock;
+      const std::string message = std::string("crevasse: ") + error.what();
+      const int         status  = exit_status_of(error);
+      log.error(message);
+
+      int n_ranks, rank;
+      MPI_Comm_size(communicator, &n_ranks);
+      MPI_Comm_rank(communicator, &rank);
+      if (n_ranks > 1 && !all_ranks_arrive(communicator))
+        {
+          if (rank != 0) // only rank 0 logs
+            std::cerr << message << " (rank " << rank << ')' << std::endl;
+          MPI_Abort(communicator, status);
+        }
+      return status;
     }
 
 
@@ -81,7 +108,7 @@ namespace Crevasse
       const OutputChoice output(command, scene);
       Checkpoints        checkpoints(requests,
                               log,
-                              output.directory(),
+                              output.directory,
                               parameters,
                               scene.output.checkpoint_every);
       if (command.resume)
@@ -96,12 +123,11 @@ namespace Crevasse
             output.require_nothing_to_resume(used);
         });
       if (!command.check)
-        requests.look_in(output.directory());
+        requests.look_in(output.directory);
       AdaptiveRun<dim> run(scene, communicator, log, checkpoints);
-      run.describe();
       if (command.check)
         {
-          log.line("  output directory: " + output.directory());
+          log.line("  output directory: " + output.directory);
           output.require_usable();
           log.line(scene.refinement.strategy == RefinementStrategy::adaptive
                      ? "The scene is in order; only elastic states were "
@@ -110,19 +136,31 @@ namespace Crevasse
           return;
         }
 
-      const std::string             &directory = output.directory();
       std::unique_ptr<DirectoryLock> lock;
       collectively(communicator, [&]() {
         if (dealii::Utilities::MPI::this_mpi_process(communicator) == 0)
-          lock = command.resume ? resume(output, used, checkpoints)
-                                : prepare(output, used, log);
+          lock = command.resume ? output.resume(used, checkpoints)
+                                : output.prepare(used, log);
       });
-      log.open_file(directory + "/log.txt", command.resume);
+      log.open_file(output.directory + "/log.txt", command.resume);
       run.run();
-      log.line("  results in " + directory);
-      log.line("  to see them in a browser: crevasse report " + directory);
+      log.line("  results in " + output.directory);
+      log.line("  to see them in a browser: crevasse report " +
+               output.directory);
     }
   } // namespace
+
+
+
+  int
+  exit_status_of(const std::exception &error)
+  {
+    if (dynamic_cast<const SceneError *>(&error) != nullptr)
+      return bad_input;
+    if (dynamic_cast<const FileError *>(&error) != nullptr)
+      return file_failure;
+    return numerical_failure;
+  }
 
 
 

@@ -21,16 +21,6 @@ namespace Crevasse
     {
       throw FileError("Cannot " + what + " (" + std::strerror(errno) + ").");
     }
-
-
-
-    std::uint32_t
-    add_to_checksum(const std::uint32_t crc,
-                    const void         *data,
-                    const std::size_t   bytes)
-    {
-      return crc32_z(crc, static_cast<const Bytef *>(data), bytes);
-    }
   } // namespace
 
 
@@ -47,8 +37,9 @@ namespace Crevasse
            file.gcount() > 0)
       {
         check.first += file.gcount();
-        check.second =
-          add_to_checksum(check.second, part.data(), file.gcount());
+        check.second = crc32_z(check.second,
+                               reinterpret_cast<const Bytef *>(part.data()),
+                               file.gcount());
       }
     return check;
   }
@@ -58,7 +49,9 @@ namespace Crevasse
   std::uint32_t
   checksum(const std::string &text)
   {
-    return add_to_checksum(0, text.data(), text.size());
+    return crc32_z(0,
+                   reinterpret_cast<const Bytef *>(text.data()),
+                   text.size());
   }
 
 

@@ -9,7 +9,6 @@
 #include <cmath>
 #include <fstream>
 #include <limits>
-#include <sstream>
 
 namespace Crevasse
 {
@@ -22,35 +21,20 @@ namespace Crevasse
 
 
 
-    /** Number after a name in a file with lines "name number ..."; @p otherwise
-     * if there is none. */
+    /** Number after a name in a file with lines "name number ...", or without a
+     * name in a file with nothing else; @p otherwise if there is none, as in a
+     * file that says "max". */
     double
     number_in(const std::string &file_name,
-              const std::string &name,
-              const double       otherwise)
-    {
-      std::ifstream file(file_name);
-      for (std::string line; std::getline(file, line);)
-        {
-          std::istringstream words(line);
-          std::string        word;
-          double             number;
-          if (words >> word >> number && word == name)
-            return number;
-        }
-      return otherwise;
-    }
-
-
-
-    /** Number in a file that contains nothing else; infinite if the file says
-     * "max" or does not exist. */
-    double
-    number_in(const std::string &file_name)
+              const std::string &name      = "",
+              const double       otherwise = infinite)
     {
       std::ifstream file(file_name);
       double        number;
-      return file >> number ? number : infinite;
+      for (std::string word = name; name.empty() || file >> word;)
+        if (word == name)
+          return file >> number ? number : otherwise;
+      return otherwise;
     }
 
 
@@ -89,27 +73,6 @@ namespace Crevasse
 
 
 
-    /** Free memory in bytes, as Linux reports it; infinite if unknown. A
-     * container or a batch job may have less than its machine. */
-    double
-    free_memory()
-    {
-      return std::min(kibibyte *
-                        number_in("/proc/meminfo", "MemAvailable:", infinite),
-                      left_by_groups());
-    }
-
-
-
-    /** Memory in bytes of this process without pages that ranks share. */
-    double
-    own_memory()
-    {
-      return kibibyte * number_in("/proc/self/status", "RssAnon:", 0.);
-    }
-
-
-
     /** Sum of a value over the ranks on this machine. Collective. */
     double
     sum_on_machine(const double value, const MPI_Comm communicator)
@@ -135,8 +98,13 @@ namespace Crevasse
   {
     constexpr double uncertainty = 1.3; // of estimates: doc/scaling.md
     const double     needed      = sum_on_machine(bytes, communicator);
-    const double     there =
-      free_memory() + sum_on_machine(own_memory(), communicator);
+    // A container or a batch job may have less than its machine. Pages that
+    // ranks share are not theirs.
+    const double free =
+      std::min(kibibyte * number_in("/proc/meminfo", "MemAvailable:"),
+               left_by_groups());
+    const double own   = number_in("/proc/self/status", "RssAnon:", 0.);
+    const double there = free + sum_on_machine(kibibyte * own, communicator);
     if (Utilities::MPI::max(needed / there, communicator) <= uncertainty)
       return;
     // Memory of factors shrinks faster than the number of unknowns.

@@ -100,11 +100,12 @@ namespace Crevasse
 
 
   template <int dim>
-  ProbeEvaluator<dim>::ProbeEvaluator(const Probe<dim>           &probe,
+  ProbeEvaluator<dim>::ProbeEvaluator(const NamedPoint           &probe,
                                       const Space<dim>           &space,
                                       const StressRecovery<dim>  &recovery,
                                       const ContactBoundary<dim> &lip)
-    : probe(probe)
+    : name(probe.name)
+    , point(to_point<dim>(probe.coordinates))
     , communicator(space.communicator())
     , recovery(recovery)
     , lip(lip)
@@ -136,7 +137,7 @@ namespace Crevasse
     Order        first = outside;
     Place        place;
     unsigned int least = numbers::invalid_unsigned_int, most = 0;
-    for (const auto &[cell, unit_point] : cells_around(space, probe.point))
+    for (const auto &[cell, unit_point] : cells_around(space, point))
       if (cell->is_locally_owned())
         {
           const unsigned int face =
@@ -147,7 +148,7 @@ namespace Crevasse
           if (on_other_lip && !(on_crack && faces_other_lip(space, cell, face)))
             continue;
           Order                order{{0., face == no_face ? 1. : 0.}};
-          const Tensor<1, dim> offset = cell->center() - probe.point;
+          const Tensor<1, dim> offset = cell->center() - point;
           for (unsigned int d = 0;
                d < dim && (recovery.has_interfaces() || on_crack);
                ++d)
@@ -171,9 +172,8 @@ namespace Crevasse
     if (first == outside && on_other_lip)
       return place;
     if (first == outside)
-      throw SceneError("[Output] Probes: " + probe.name + " at " +
-                       Text::from_point(probe.point) +
-                       " lies outside the mesh.");
+      throw SceneError("[Output] Probes: " + name + " at " +
+                       Text::from_point(point) + " lies outside the mesh.");
     place.found = mine == first;
     if (on_other_lip)
       return place;

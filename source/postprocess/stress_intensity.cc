@@ -37,7 +37,7 @@ namespace Crevasse
     , region(body.space, tip)
     , first_elasticity(find_elasticity(0.))
     , uniform(find_uniform_radii(steps))
-    , no_integral(find_no_integral(steps))
+    , why_no_integral(find_no_integral(steps))
     , square(region.square(scene.crack_tip.radius,
                            scene.crack_tip.radius == 0. && uniform.creep > 0.
                              ? uniform.creep
@@ -46,7 +46,7 @@ namespace Crevasse
     for (const double t :
          instants_of_variation(body.material.stiffness_varies, steps))
       elasticity(t);
-    if (no_integral.empty())
+    if (why_no_integral.empty())
       for (const CrackMode mode : modes())
         integrals.push_back(make_integrals(mode));
     if (tip.two_lips || body.space.roles.has_axis)

@@ -49,15 +49,7 @@ namespace Crevasse
       adapted.serialize(archive);
       serialize_summary(archive);
     });
-  }
-
-
-
-  template <int dim>
-  void
-  AdaptiveRun<dim>::describe() const
-  {
-    Crevasse::describe(*on_mesh);
+    describe(*on_mesh);
   }
 
 

@@ -5,6 +5,7 @@
 #include <crevasse/base/machine_memory.h>
 #include <crevasse/base/problems.h>
 #include <crevasse/base/text.h>
+#include <crevasse/base/text_file.h>
 #include <crevasse/base/version.h>
 #include <crevasse/simulation/run.h>
 #include <crevasse/simulation/setup_report.h>
@@ -171,8 +172,8 @@ namespace Crevasse
           summary["peak_memory_bytes_of_ranks"] = peaks;
         }
       if (Utilities::MPI::this_mpi_process(communicator) == 0)
-        Crevasse::write_summary(summary,
-                                run.checkpoints.directory + "/summary.json");
+        write_atomically(summary.dump(2) + '\n',
+                         run.checkpoints.directory + "/summary.json");
       run.log.line(Text::format("  Time = %.2f s", seconds));
     }
 

@@ -270,7 +270,7 @@ namespace Crevasse
     std::vector<CsvTable> of_probes;
     for (const ProbeEvaluator<dim> &probe : probes)
       of_probes.push_back(
-        table("probe_" + probe.name() + ".csv", probe.columns()));
+        table("probe_" + probe.name + ".csv", probe.columns()));
     if (!of_probes.empty())
       add(std::make_unique<ProbeTables<dim>>(probes,
                                              std::move(of_probes),

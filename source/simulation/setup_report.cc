@@ -265,11 +265,11 @@ namespace Crevasse
       {
         if (const auto &side = probe.side_of_interface)
           log.line(
-            "  probe " + probe.name() +
+            "  probe " + probe.name +
             ": lies between materials; its stress is that of the cell around " +
             Text::from_point(*side));
         if (const auto &side = probe.side_of_crack)
-          log.line("  probe " + probe.name() +
+          log.line("  probe " + probe.name +
                    ": lies on a crack; its displacement and stress are those "
                    "of the lip on the side of " +
                    Text::from_point(dealii::Point<dim>(*side)));

@@ -7,6 +7,7 @@
 #include <crevasse/app/command_line.h>
 #include <crevasse/base/directory_lock.h>
 #include <crevasse/base/summary.h>
+#include <crevasse/checkpoint/checkpoints.h>
 #include <crevasse/parameters/scene.h>
 
 #include <filesystem>
@@ -20,12 +21,6 @@ namespace Crevasse
     /** Chooses --output, else the scene's output directory, else results/NAME
      * for the scene NAME.prm. */
     OutputChoice(const Command &command, const Scene &scene);
-
-    const std::string &
-    directory() const
-    {
-      return path;
-    }
 
     /** Checks that a run can use the directory, without creating anything: an
      * existing part may not be a directory or may forbid writing. Other
@@ -47,21 +42,23 @@ namespace Crevasse
     std::string
     why_finished(const Scene &scene, const Summary &parameters) const;
 
-    /** Marks the directory as that of an unfinished run, which continues there,
-     * and keeps others out while the lock exists. @throw FileError */
+    /** Marks the directory as that of an unfinished run, which continues there
+     * from a checkpoint, and keeps others out while the lock exists.
+     * @param used text of used.prm.
+     * @throw FileError */
     std::unique_ptr<DirectoryLock>
-    resume() const;
+    resume(const std::string &used, const Checkpoints &checkpoints) const;
 
     /** Creates the directory if needed, clears away the results of an earlier
      * run, so that none is mistaken for a result of this run, and keeps others
      * out while the lock exists. Without a used.prm, the sign of a run, files
      * stay, as do other files. A log alone is not kept.
-     *
-     * @param kept the folder "earlier_1", "earlier_2", … with the earlier
-     * results, if they are kept.
+     * The log names the folder "earlier_1", "earlier_2", … in which earlier
+     * results are kept.
+     * @param used text of used.prm.
      * @throw FileError, also if a directory has the name of a result file. */
     std::unique_ptr<DirectoryLock>
-    prepare(std::string &kept) const;
+    prepare(const std::string &used, Log &log) const;
 
   private:
     [[noreturn]] void
@@ -86,8 +83,10 @@ namespace Crevasse
                  const Scene   &scene,
                  const Summary &parameters) const;
 
-    bool        from_command_line, may_replace;
-    std::string path;
+    const bool from_command_line, may_replace;
+
+  public:
+    const std::string directory;
   };
 } // namespace Crevasse
 

@@ -14,6 +14,11 @@ namespace Crevasse
   Scene
   read_scene(const Command &command, dealii::ParameterHandler &prm);
 
+  /** Exit status of the program for an exception: 2 for SceneError, 4 for
+   * FileError, 3 for others. */
+  int
+  exit_status_of(const std::exception &error);
+
   /** Runs, resumes or checks the scene of a command, and turns exceptions into
    * messages. Collective.
    * @return the exit status. */

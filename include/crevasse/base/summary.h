@@ -4,21 +4,12 @@
 #ifndef crevasse_base_summary_h
 #define crevasse_base_summary_h
 
-#include <crevasse/base/text_file.h>
-
 #include <nlohmann/json.hpp>
 
 namespace Crevasse
 {
   /** Contents of summary.json, with keys in the order of insertion. */
   using Summary = nlohmann::ordered_json;
-
-  /** Writes summary.json as a whole or not at all. @throw FileError */
-  inline void
-  write_summary(const Summary &summary, const std::string &file_name)
-  {
-    write_atomically(summary.dump(2) + '\n', file_name);
-  }
 } // namespace Crevasse
 
 #endif

@@ -11,16 +11,8 @@
 
 namespace Crevasse
 {
-  /** A point where quantities are recorded over time; the name becomes part of
-   * a file name. */
-  template <int dim>
-  struct Probe
-  {
-    std::string        name;
-    dealii::Point<dim> point;
-  };
-
-  /** A probe of a scene before the dimension is known. */
+  /** A point where quantities are recorded over time, before the dimension is
+   * known; the name becomes part of a file name. */
   struct NamedPoint
   {
     std::string         name;

@@ -24,16 +24,13 @@ namespace Crevasse
   {
   public:
     /** Finds the point. Collective. @throw SceneError if outside the mesh. */
-    ProbeEvaluator(const Probe<dim>           &probe,
+    ProbeEvaluator(const NamedPoint           &probe,
                    const Space<dim>           &space,
                    const StressRecovery<dim>  &recovery,
                    const ContactBoundary<dim> &lip);
 
-    const std::string &
-    name() const
-    {
-      return probe.name;
-    }
+    const std::string        name;
+    const dealii::Point<dim> point;
 
     /** Whether the point lies on the crack lip. */
     bool on_lip = false;
@@ -120,7 +117,6 @@ namespace Crevasse
     void
     find_lip_weights(const Place &place, const Space<dim> &space);
 
-    const Probe<dim>            probe;
     const MPI_Comm              communicator;
     const StressRecovery<dim>  &recovery;
     const ContactBoundary<dim> &lip;
@@ -144,11 +140,7 @@ namespace Crevasse
   {
     std::vector<ProbeEvaluator<dim>> evaluators;
     for (const NamedPoint &probe : probes)
-      evaluators.emplace_back(Probe<dim>{probe.name,
-                                         to_point<dim>(probe.coordinates)},
-                              space,
-                              recovery,
-                              lip);
+      evaluators.emplace_back(probe, space, recovery, lip);
     return evaluators;
   }
 } // namespace Crevasse

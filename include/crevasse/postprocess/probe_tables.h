@@ -48,8 +48,7 @@ namespace Crevasse
       for (const ProbeEvaluator<dim> &probe : probes)
         if (const auto &side = probe.side_of_crack)
           for (unsigned int d = 0; d < dim; ++d)
-            summary["probes"][probe.name()]["body_of_lip"].push_back(
-              (*side)[d]);
+            summary["probes"][probe.name]["body_of_lip"].push_back((*side)[d]);
     }
 
   private:

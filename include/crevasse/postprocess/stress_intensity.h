@@ -77,13 +77,6 @@ namespace Crevasse
                        : StressIntensityMethod::williams_fit);
     }
 
-    /** Reason for the fit; empty if the integral is used. */
-    const std::string &
-    why_no_integral() const
-    {
-      return no_integral;
-    }
-
     /** Elasticity of the law at the tip at an instant within the period,
      * without the factor k. @throw SceneError if K is not known with it; never
      * at instants of the first period's steps. */
@@ -165,11 +158,16 @@ namespace Crevasse
     double
     choose_fit_radius() const;
 
-    const PlaneElasticity     first_elasticity; ///< elasticity at t = 0
-    const UniformRadii        uniform;
-    const std::string         no_integral; ///< reason; empty: integral used
-    const double              square;      ///< half side of larger square
-    std::vector<Integrals>    integrals;   ///< integrals for each mode
+    const PlaneElasticity first_elasticity; ///< elasticity at t = 0
+    const UniformRadii    uniform;
+
+  public:
+    /** Reason for the fit; empty if the integral is used. */
+    const std::string why_no_integral;
+
+  private:
+    const double              square;    ///< half side of larger square
+    std::vector<Integrals>    integrals; ///< integrals for each mode
     double                    fit_radius = 0.;
     std::optional<NestedFits> fits; ///< fits for one lip in the plane
   };

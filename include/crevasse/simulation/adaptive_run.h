@@ -18,8 +18,8 @@ namespace Crevasse
   class AdaptiveRun
   {
   public:
-    /** Checks the scene; computes only elastic states to which the mesh is
-     * adapted. Collective.
+    /** Checks the scene and logs effects, sizes and predicted memory; computes
+     * only elastic states to which the mesh is adapted. Collective.
      *
      * @param checkpoints of the run, which it resumes from if they say so; must
      * outlive the AdaptiveRun. */
@@ -27,10 +27,6 @@ namespace Crevasse
                 const MPI_Comm communicator,
                 Log           &log,
                 Checkpoints   &checkpoints);
-
-    /** Logs effects, sizes and predicted memory. */
-    void
-    describe() const;
 
     /** Computes the run and writes its results to the directory of the
      * checkpoints, which must exist. Collective.

@@ -69,7 +69,7 @@ namespace Crevasse
             is_noise(largest) ? NAN : 1. / run.steps.period();
           drift["largest_rate"] = largest * per_time;
           for (const auto &probe : run.probes)
-            drift["per_probe"][probe.name()] =
+            drift["per_probe"][probe.name] =
               components(probe.displacement(gain) * per_time);
           if (effects.contact.on)
             {
@@ -95,8 +95,8 @@ namespace Crevasse
           };
           complete(drift["largest_rate"], secular["largest_rate"]);
           for (const auto &probe : run.probes)
-            complete(drift["per_probe"][probe.name()],
-                     secular["per_probe"][probe.name()]["beta"]);
+            complete(drift["per_probe"][probe.name],
+                     secular["per_probe"][probe.name]["beta"]);
           summary["drift"] = drift;
         }
       summary["secular"] = secular;
@@ -140,7 +140,7 @@ namespace Crevasse
       secular["contact_force"] = run.body.lip.force(forces);
       for (const auto &probe : run.probes)
         {
-          auto        &entry    = secular["per_probe"][probe.name()];
+          auto        &entry    = secular["per_probe"][probe.name];
           const double pressure = probe.pressure(forces);
           entry["beta"]         = components(probe.displacement(beta));
           if (probe.on_lip)

@@ -229,8 +229,14 @@ namespace
                                    space.dof_handler,
                                    space.locally_owned_unknowns,
                                    Expression("0"));
-    const ProbeEvaluator<dim>  probe({"P", inside}, space, recovery, lip);
-    const ProbeEvaluator<dim>  corner({"C", at_corner}, space, recovery, lip);
+    const auto named = [](const char *name, const dealii::Point<dim> &point) {
+      return NamedPoint{name, {point.begin_raw(), point.end_raw()}};
+    };
+    const ProbeEvaluator<dim> probe(named("P", inside), space, recovery, lip);
+    const ProbeEvaluator<dim> corner(named("C", at_corner),
+                                     space,
+                                     recovery,
+                                     lip);
 
     const auto polynomial = [&](const dealii::Point<dim> &x) {
       return degree == 1 ? 2. + 3. * x[0] - x[1] + x[dim - 1]
@@ -266,7 +272,7 @@ namespace
           error =
             std::max(error,
                      std::abs(row[1 + dim + c] - (c + 1.) * polynomial(x)));
-        check_below(name + ": recovered at probe " + p->name(), error, 1e-12);
+        check_below(name + ": recovered at probe " + p->name, error, 1e-12);
       }
     check(name + ": the corner lies on the lip, the inner point does not",
           corner.on_lip && !probe.on_lip);
