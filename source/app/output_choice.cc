@@ -235,37 +235,28 @@ namespace Crevasse
 
 
 
-  std::vector<fs::path>
-  OutputChoice::earlier_results() const
+  std::string
+  OutputChoice::clear_earlier_results() const
   {
     static const std::regex ours(
       "summary\\.json(\\.part)?|log\\.txt|solution\\.pvd|used\\.prm|"
       "solution_[0-9.]+\\.p?vtu|show_in_paraview\\.py|(probe_.*|contact|lip|"
       "periods|relaxation|load_work|(crack_tip|creep_integral)(_[0-9]+)?|"
       "crack_front)\\.csv|report\\.html");
-    std::vector<fs::path> found;
+    std::vector<fs::path> results;
     for (const fs::directory_entry &entry : fs::directory_iterator(directory))
       {
         const std::string name = entry.path().filename().string();
         if (name == "checkpoint")
-          found.push_back(entry);
+          results.push_back(entry);
         if (!std::regex_match(name, ours))
           continue;
         if (entry.is_directory())
           fail(name +
                " is a directory, but a file of this name is to be written");
         if (name != "used.prm")
-          found.push_back(entry);
+          results.push_back(entry);
       }
-    return found;
-  }
-
-
-
-  std::string
-  OutputChoice::clear_earlier_results() const
-  {
-    const std::vector<fs::path> results = earlier_results();
     // used.prm is written anew; while it exists, the other files belong to an
     // earlier run.
     const fs::path used = fs::path(directory) / "used.prm";

@@ -17,6 +17,25 @@ namespace Crevasse
 
   namespace
   {
+    /** Splits deal.II's description of a pattern, or NumberPattern's, such as
+     * "[Integer range 0...9 (inclusive)]", into "Integer", "0", "9",
+     * "inclusive". A description of another form is the only part. */
+    std::vector<std::string>
+    parts_of_pattern(const std::string &description)
+    {
+      static const std::regex forms[] = {
+        std::regex("\\[(List) of <(.*)> of.*"),
+        std::regex(
+          "\\[(Integer|Number) range (.*)\\.\\.\\.(\\S+) \\((.*)\\)\\]"),
+        std::regex("\\[(Selection) (.*?) ?\\]")};
+      for (const std::regex &form : forms)
+        if (std::smatch parts; std::regex_match(description, parts, form))
+          return {std::next(parts.begin()), parts.end()};
+      return {description};
+    }
+
+
+
     std::string
     in_words(const std::string &pattern)
     {
@@ -61,21 +80,6 @@ namespace Crevasse
       return entry;
     }
   } // namespace
-
-
-
-  std::vector<std::string>
-  parts_of_pattern(const std::string &description)
-  {
-    static const std::regex forms[] = {
-      std::regex("\\[(List) of <(.*)> of.*"),
-      std::regex("\\[(Integer|Number) range (.*)\\.\\.\\.(\\S+) \\((.*)\\)\\]"),
-      std::regex("\\[(Selection) (.*?) ?\\]")};
-    for (const std::regex &form : forms)
-      if (std::smatch parts; std::regex_match(description, parts, form))
-        return {std::next(parts.begin()), parts.end()};
-    return {description};
-  }
 
 
 

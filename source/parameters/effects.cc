@@ -10,6 +10,28 @@ namespace Crevasse
 {
   namespace
   {
+    /** Names of the formulas that vary in time, and why: "[Material] Relaxation
+     * time depends on theta"; empty if none does. */
+    std::string
+    describe_variation(const std::vector<Expression> &formulas,
+                       const bool                     temperature_varies)
+    {
+      std::string           sentences;
+      std::set<std::string> seen; // a matrix has many formulas under one name
+      for (const Expression &formula : formulas)
+        {
+          const bool by_time = formula.depends_on("t");
+          if ((by_time ||
+               (temperature_varies && formula.depends_on("theta"))) &&
+              seen.insert(formula.parameter()).second)
+            sentences += (sentences.empty() ? "" : ", ") + formula.parameter() +
+                         " depends on " + (by_time ? "t" : "theta");
+        }
+      return sentences;
+    }
+
+
+
     Effects::Effect
     variation(const std::string             &property,
               const std::vector<Expression> &formulas,
@@ -305,24 +327,5 @@ namespace Crevasse
                                 (theta_varies &&
                                  formula.can_jump_with("theta"));
                        });
-  }
-
-
-
-  std::string
-  describe_variation(const std::vector<Expression> &formulas,
-                     const bool                     temperature_varies)
-  {
-    std::string           sentences;
-    std::set<std::string> seen; // a matrix has many formulas under one name
-    for (const Expression &formula : formulas)
-      {
-        const bool by_time = formula.depends_on("t");
-        if ((by_time || (temperature_varies && formula.depends_on("theta"))) &&
-            seen.insert(formula.parameter()).second)
-          sentences += (sentences.empty() ? "" : ", ") + formula.parameter() +
-                       " depends on " + (by_time ? "t" : "theta");
-      }
-    return sentences;
   }
 } // namespace Crevasse

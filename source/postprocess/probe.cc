@@ -112,7 +112,16 @@ namespace Crevasse
   {
     const Place place    = find_place(space, false);
     displacement_weights = displacement_at(place, space);
-    find_stress_weights(place);
+    std::vector<std::pair<types::global_dof_index, double>> weights;
+    if (place.found)
+      weights = shape_values<dim>({&place.cell->get_triangulation(),
+                                   place.cell->level(),
+                                   place.cell->index(),
+                                   &recovery.dof_handler},
+                                  place.unit_point);
+    stress_weights =
+      recovery.weights_of(weights,
+                          place.found ? recovery.material_of(place.cell) : 0);
     find_lip_weights(place, space);
     if (!on_lip)
       return;
@@ -246,24 +255,6 @@ namespace Crevasse
             of_components[d].emplace_back(i, weights.local_element(i));
       }
     return of_components;
-  }
-
-
-
-  template <int dim>
-  void
-  ProbeEvaluator<dim>::find_stress_weights(const Place &place)
-  {
-    std::vector<std::pair<types::global_dof_index, double>> weights;
-    if (place.found)
-      weights = shape_values<dim>({&place.cell->get_triangulation(),
-                                   place.cell->level(),
-                                   place.cell->index(),
-                                   &recovery.dof_handler},
-                                  place.unit_point);
-    stress_weights =
-      recovery.weights_of(weights,
-                          place.found ? recovery.material_of(place.cell) : 0);
   }
 
 

@@ -48,7 +48,29 @@ namespace Crevasse
       elasticity(t);
     if (why_no_integral.empty())
       for (const CrackMode mode : modes())
-        integrals.push_back(make_integrals(mode));
+        {
+          // The squares differ in cells at the tip, so that the difference of
+          // the integrals shows the error of these cells.
+          const auto over_square = [&](const double       size,
+                                       const unsigned int cells) {
+            return InteractionIntegral(body,
+                                       points,
+                                       region,
+                                       mode,
+                                       scene.loads,
+                                       {size,
+                                        creep_square(size, cells),
+                                        uniform.creep == 0.,
+                                        body.space.roles.has_axis
+                                          ? first_elasticity.kappa()
+                                          : 0.});
+          };
+          integrals.emplace_back(over_square(square, 2),
+                                 over_square(std::max(region.aligned_radius(
+                                                        0.5 * square),
+                                                      region.cell_radius),
+                                             3));
+        }
     if (tip.two_lips || body.space.roles.has_axis)
       return;
     fit_radius = choose_fit_radius();
@@ -125,7 +147,23 @@ namespace Crevasse
                        ": is for cracks with one lip, on a plane of "
                        "symmetry. Set it to automatic.");
     if (body.space.roles.has_axis)
-      require_ring();
+      {
+        const CrackTip   &tip   = region.tip;
+        const std::string where = "[Material] Plane state = axisymmetric, " +
+                                  StressIntensity::setting(scene) +
+                                  ": the crack at " +
+                                  Text::from_point(tip.position);
+        if (tip.two_lips)
+          throw SceneError(
+            where +
+            " has two lips. This program knows K of a ring for half models "
+            "with "
+            "the crack on y = const. Set Stress intensity = false.");
+        if (std::abs(tip.ahead[1]) > 1e-8)
+          throw SceneError(where +
+                           " is not in a plane perpendicular to the axis. Set "
+                           "Stress intensity = false.");
+      }
     if (wish == Method::williams_fit)
       return setting;
     for (const double t :
@@ -152,52 +190,6 @@ namespace Crevasse
           return why;
         }
     return "";
-  }
-
-
-
-  void
-  StressIntensity::require_ring() const
-  {
-    const CrackTip   &tip   = region.tip;
-    const std::string where = "[Material] Plane state = axisymmetric, " +
-                              setting(scene) + ": the crack at " +
-                              Text::from_point(tip.position);
-    if (tip.two_lips)
-      throw SceneError(
-        where +
-        " has two lips. This program knows K of a ring for half models with "
-        "the crack on y = const. Set Stress intensity = false.");
-    if (std::abs(tip.ahead[1]) > 1e-8)
-      throw SceneError(where +
-                       " is not in a plane perpendicular to the axis. Set "
-                       "Stress intensity = false.");
-  }
-
-
-
-  StressIntensity::Integrals
-  StressIntensity::make_integrals(const CrackMode mode) const
-  {
-    // The squares differ in cells at the tip, so that the difference of the
-    // integrals shows the error of these cells.
-    const auto over_square = [&](const double size, const unsigned int cells) {
-      return InteractionIntegral(body,
-                                 points,
-                                 region,
-                                 mode,
-                                 scene.loads,
-                                 {size,
-                                  creep_square(size, cells),
-                                  uniform.creep == 0.,
-                                  body.space.roles.has_axis
-                                    ? first_elasticity.kappa()
-                                    : 0.});
-    };
-    return {over_square(square, 2),
-            over_square(std::max(region.aligned_radius(0.5 * square),
-                                 region.cell_radius),
-                        3)};
   }
 
 

@@ -110,19 +110,6 @@ namespace Crevasse
 
 
   template <int dim>
-  bool
-  Run<dim>::requires_return() const
-  {
-    // Strain without stress matters to a march if a lip may touch.
-    return body.effects.viscosity.on &&
-           (split.strain_returns || body.law.has_spring()) &&
-           (choice.method != PeriodicMethodType::march ||
-            body.effects.contact.on);
-  }
-
-
-
-  template <int dim>
   void
   Run<dim>::accelerate(ObservedPeriods<dim> &periods, const double slowness)
   {
@@ -234,7 +221,10 @@ namespace Crevasse
                                            last_period),
                                       parameters.tolerance});
     periods.continue_from(before, !state.has_begun());
-    if (requires_return())
+    // Strain without stress matters to a march if a lip may touch.
+    if (body.effects.viscosity.on &&
+        (split.strain_returns || body.law.has_spring()) &&
+        (choice.method != PeriodicMethodType::march || body.effects.contact.on))
       periods.require_return(defect);
     // Infinite if no stress relaxes; then stress does not change either.
     const double slowness =

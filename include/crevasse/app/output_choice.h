@@ -69,12 +69,9 @@ namespace Crevasse
     void
     require_writable() const;
 
-    /** Existing results of an earlier run besides used.prm, and reports about
-     * them, which would not describe the new results. */
-    std::vector<std::filesystem::path>
-    earlier_results() const;
-
-    /** Moves or removes them. @return the folder in which they are kept. */
+    /** Moves or removes the results of an earlier run, and reports about them,
+     * which would not describe the new results.
+     * @return the folder in which they are kept, if they are. */
     std::string
     clear_earlier_results() const;
 

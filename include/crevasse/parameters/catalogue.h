@@ -23,12 +23,6 @@ namespace Crevasse
   Catalogue
   make_catalogue(const dealii::ParameterHandler &prm);
 
-  /** Splits deal.II's description of a pattern, or NumberPattern's, such as
-   * "[Integer range 0...9 (inclusive)]", into "Integer", "0", "9",
-   * "inclusive". A description of another form is the only part. */
-  std::vector<std::string>
-  parts_of_pattern(const std::string &description);
-
   /** Names of sections or parameters in a catalogue, without the top level. */
   std::vector<std::string>
   names_in(const Catalogue &object);

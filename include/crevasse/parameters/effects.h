@@ -86,12 +86,6 @@ namespace Crevasse
    * on theta while the temperature may vary in time. */
   bool
   formulas_can_jump(const Scene &scene);
-
-  /** Names of the formulas that vary in time, and why: "[Material] Relaxation
-   * time depends on theta"; empty if none does. */
-  std::string
-  describe_variation(const std::vector<Expression> &formulas,
-                     const bool                     temperature_varies);
 } // namespace Crevasse
 
 #endif

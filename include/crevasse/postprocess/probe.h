@@ -113,8 +113,6 @@ namespace Crevasse
     DisplacementWeights
     displacement_at(const Place &place, const Space<dim> &space) const;
     void
-    find_stress_weights(const Place &place);
-    void
     find_lip_weights(const Place &place, const Space<dim> &space);
 
     const MPI_Comm              communicator;

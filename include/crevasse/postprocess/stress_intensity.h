@@ -132,13 +132,6 @@ namespace Crevasse
     std::string
     find_no_integral(const StepList &steps) const;
 
-    /** Checks a body of revolution. @throw SceneError if K is not known. */
-    void
-    require_ring() const;
-
-    Integrals
-    make_integrals(const CrackMode mode) const;
-
     /** InteractionIntegral::Squares::creep, at least so many cells. */
     double
     creep_square(const double size, const unsigned int cells) const;

@@ -163,9 +163,6 @@ namespace Crevasse
      * if they differ and another method may replace it. */
     PeriodicResult
     show_motion(std::vector<Observer *> all, Checkpointer &writer);
-    /** Whether the viscous strain must return after a period. */
-    bool
-    requires_return() const;
     void
     accelerate(ObservedPeriods<dim> &periods, const double slowness);
     /** Marches or accelerates until the stress is periodic or the periods of
