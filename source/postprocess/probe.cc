@@ -7,8 +7,6 @@
 #include <crevasse/postprocess/principal_stresses.h>
 #include <crevasse/postprocess/probe.h>
 
-#include <deal.II/grid/grid_tools.h>
-
 namespace Crevasse
 {
   using namespace dealii;
@@ -61,27 +59,18 @@ namespace Crevasse
 
 
 
-    /** Cells that contain a point, with its unit coordinates. deal.II finds
-     * only those that share a vertex with the first, none at another lip. */
+    /** Cells of this rank that contain a point, with its unit coordinates, on
+     * all lips there; deal.II finds only those that share a vertex. */
     template <int dim>
     std::vector<
       std::pair<typename DoFHandler<dim>::active_cell_iterator, Point<dim>>>
     cells_around(const Space<dim> &space, const Point<dim> &point)
     {
-      auto found =
-        GridTools::find_all_active_cells_around_point(space.mapping,
-                                                      space.dof_handler,
-                                                      point);
-      if (space.roles.crack.empty())
-        return found;
+      std::vector<
+        std::pair<typename DoFHandler<dim>::active_cell_iterator, Point<dim>>>
+        found;
       for (const auto &cell : owned_cells(space.dof_handler))
-        {
-          bool is_new = cell->at_boundary() &&
-                        cell->center().distance(point) < cell->diameter();
-          for (const auto &other : found)
-            is_new = is_new && other.first != cell;
-          if (!is_new)
-            continue;
+        if (cell->center().distance(point) < cell->diameter())
           try
             {
               const Point<dim> unit =
@@ -92,7 +81,6 @@ namespace Crevasse
           catch (const typename Mapping<dim>::ExcTransformationFailed &)
             {
             } // not in this cell
-        }
       return found;
     }
   } // namespace
@@ -147,34 +135,32 @@ namespace Crevasse
     Place        place;
     unsigned int least = numbers::invalid_unsigned_int, most = 0;
     for (const auto &[cell, unit_point] : cells_around(space, point))
-      if (cell->is_locally_owned())
-        {
-          const unsigned int face =
-            lip_face<dim>(cell, unit_point, space.roles);
-          const bool on_crack =
-            face != no_face &&
-            space.roles.crack.count(cell->face(face)->boundary_id()) > 0;
-          if (on_other_lip && !(on_crack && faces_other_lip(space, cell, face)))
-            continue;
-          Order                order{{0., face == no_face ? 1. : 0.}};
-          const Tensor<1, dim> offset = cell->center() - point;
-          for (unsigned int d = 0;
-               d < dim && (recovery.has_interfaces() || on_crack);
-               ++d)
-            {
-              const double along = offset[d] / offset.norm();
-              order[2 + d]       = along > -0.1 ? 1. : 0.;
-              order[2 + dim + d] = std::round(1000. * along);
-            }
-          order.back() = Utilities::MPI::this_mpi_process(communicator);
-          least        = std::min(least, recovery.material_of(cell));
-          most         = std::max(most, recovery.material_of(cell));
-          if (order < first)
-            {
-              first = order;
-              place = {cell, unit_point, true, face};
-            }
-        }
+      {
+        const unsigned int face = lip_face<dim>(cell, unit_point, space.roles);
+        const bool         on_crack =
+          face != no_face &&
+          space.roles.crack.count(cell->face(face)->boundary_id()) > 0;
+        if (on_other_lip && !(on_crack && faces_other_lip(space, cell, face)))
+          continue;
+        Order                order{{0., face == no_face ? 1. : 0.}};
+        const Tensor<1, dim> offset = cell->center() - point;
+        for (unsigned int d = 0;
+             d < dim && (recovery.has_interfaces() || on_crack);
+             ++d)
+          {
+            const double along = offset[d] / offset.norm();
+            order[2 + d]       = along > -0.1 ? 1. : 0.;
+            order[2 + dim + d] = std::round(1000. * along);
+          }
+        order.back() = Utilities::MPI::this_mpi_process(communicator);
+        least        = std::min(least, recovery.material_of(cell));
+        most         = std::max(most, recovery.material_of(cell));
+        if (order < first)
+          {
+            first = order;
+            place = {cell, unit_point, true, face};
+          }
+      }
     const Order mine = first;
     for (const Order &of_rank : Utilities::MPI::all_gather(communicator, first))
       first = std::min(first, of_rank);

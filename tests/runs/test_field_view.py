@@ -164,10 +164,10 @@ def without_webgl(pages):
 
 def many_instants(results):
     """Of which a page has some, and says so."""
-    most = field_view.MOST_INSTANTS
-    field_view.MOST_INSTANTS = 3
+    most = field_figures.MOST_FILES
+    field_figures.MOST_FILES = 3
     text = report(results).read_text()
-    field_view.MOST_INSTANTS = most
+    field_figures.MOST_FILES = most
     packed = json.loads(re.search(r'id="field-data">(.*?)</script>', text, re.S)[1])
     check("Figure 4" in text, "figures of the paper")
     check(packed["times"] == [1200., 1650., 1800.] and "3 of 5 stored instants" in text,
