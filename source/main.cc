@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Crevasse authors
 
-#include <crevasse/app/print_command.h>
 #include <crevasse/app/run_command.h>
 #include <crevasse/app/script_command.h>
 #include <crevasse/base/single_process.h>

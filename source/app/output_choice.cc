@@ -137,11 +137,43 @@ namespace Crevasse
       return "";
     const Summary summary =
       Summary::parse(read_text_file(name), nullptr, false);
+    if (!summary.is_object())
+      return ""; // incomplete: the run has not ended
     try
       {
-        // A summary that is no object is incomplete: the run has not ended.
-        return summary.is_object() ? why_finished(summary, scene, parameters)
-                                   : "";
+        const unsigned int periods = summary.value("periods", 0U);
+        if (periods == 0)
+          return "";
+        const unsigned int allowed   = scene.periodic_state.maximum_periods;
+        const double       tolerance = scene.periodic_state.tolerance;
+        const Summary      converged = summary.value("converged", Summary());
+        const Summary     &estimates = summary.at("stress_error_estimate");
+        const Summary error = estimates.empty() ? Summary() : estimates.back();
+        const bool    is_enough = converged == true && tolerance > 0. &&
+                               error.is_number() && error <= tolerance;
+        if (!is_enough && periods < allowed)
+          return ""; // the checkpoint is checked instead
+        if (!summary.contains("scene") || !summary["scene"].is_object())
+          throw FileError(
+            "--resume: the run in " + directory +
+            " has ended, but its summary.json does not hold the scene; another "
+            "version of the program wrote it. Start without --resume, in "
+            "another "
+            "output directory.");
+        require_same_scene(summary["scene"], parameters);
+        return "the run in " + directory + " has ended after " +
+               std::to_string(periods) +
+               (periods == 1 ? " period" : " periods") +
+               (is_enough ? ", periodic."
+                : CheckpointFolder(directory).has_any()
+                  ? ", as many as [Periodic state] Maximum periods allows; "
+                    "raise "
+                    "it "
+                    "to continue."
+                  : ", as many as [Periodic state] Maximum periods allows, "
+                    "without "
+                    "a checkpoint to continue from; start again in another "
+                    "--output.");
       }
     catch (const Summary::exception &error)
       {
@@ -150,44 +182,6 @@ namespace Crevasse
           error.what() +
           "). Remove it: then the run resumes from its newest checkpoint.");
       }
-  }
-
-
-
-  std::string
-  OutputChoice::why_finished(const Summary &summary,
-                             const Scene   &scene,
-                             const Summary &parameters) const
-  {
-    const unsigned int periods = summary.value("periods", 0U);
-    if (periods == 0)
-      return "";
-    const unsigned int allowed   = scene.periodic_state.maximum_periods;
-    const double       tolerance = scene.periodic_state.tolerance;
-    const Summary      converged = summary.value("converged", Summary());
-    const Summary     &estimates = summary.at("stress_error_estimate");
-    const Summary      error = estimates.empty() ? Summary() : estimates.back();
-    const bool         is_enough = converged == true && tolerance > 0. &&
-                           error.is_number() && error <= tolerance;
-    if (!is_enough && periods < allowed)
-      return ""; // the checkpoint is checked instead
-    if (!summary.contains("scene") || !summary["scene"].is_object())
-      throw FileError(
-        "--resume: the run in " + directory +
-        " has ended, but its summary.json does not hold the scene; another "
-        "version of the program wrote it. Start without --resume, in another "
-        "output directory.");
-    require_same_scene(summary["scene"], parameters);
-    return "the run in " + directory + " has ended after " +
-           std::to_string(periods) + (periods == 1 ? " period" : " periods") +
-           (is_enough ? ", periodic."
-            : CheckpointFolder(directory).has_any()
-              ? ", as many as [Periodic state] Maximum periods allows; raise "
-                "it "
-                "to continue."
-              : ", as many as [Periodic state] Maximum periods allows, without "
-                "a checkpoint to continue from; start again in another "
-                "--output.");
   }
 
 

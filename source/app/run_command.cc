@@ -4,6 +4,7 @@
 #include <crevasse/app/output_choice.h>
 #include <crevasse/app/run_command.h>
 #include <crevasse/base/collectively.h>
+#include <crevasse/base/expression.h>
 #include <crevasse/base/stop_request.h>
 #include <crevasse/base/text_file.h>
 #include <crevasse/base/version.h>
@@ -12,6 +13,7 @@
 #include <crevasse/simulation/adaptive_run.h>
 
 #include <chrono>
+#include <cstdlib>
 #include <filesystem>
 #include <iostream>
 #include <thread>
@@ -20,6 +22,19 @@ namespace Crevasse
 {
   namespace
   {
+    /** Exit status of the program for an exception. */
+    int
+    exit_status_of(const std::exception &error)
+    {
+      if (dynamic_cast<const SceneError *>(&error) != nullptr)
+        return bad_input;
+      if (dynamic_cast<const FileError *>(&error) != nullptr)
+        return file_failure;
+      return numerical_failure;
+    }
+
+
+
     /** Whether all ranks arrive within some seconds; if only one rank has an
      * error, the others wait elsewhere. */
     bool
@@ -148,45 +163,108 @@ namespace Crevasse
       log.line("  to see them in a browser: crevasse report " +
                output.directory);
     }
+
+
+
+    /** Reads the scene of a command.
+     * @throw SceneError with all mistakes; FileError */
+    Scene
+    read_scene(const Command &command, dealii::ParameterHandler &prm)
+    {
+      if (std::error_code unknown;
+          !std::filesystem::exists(command.scene_file, unknown))
+        {
+          const std::string guess = similar_to(command.scene_file);
+          throw FileError("The file \"" + command.scene_file +
+                          "\" does not exist" + (guess.empty() ? "." : guess));
+        }
+      Problems problems;
+      Scene    scene =
+        read_scene(command.scene_file, command.overrides, prm, problems);
+      scene.check(problems);
+      problems.throw_if_any();
+      scene.output.stress_record = command.stress_record;
+      if (command.stress_record && scene.refinement.readapt_every > 0)
+        throw SceneError(
+          "[Refinement] Readapt every = " +
+          std::to_string(scene.refinement.readapt_every) +
+          ": stresses on changing meshes cannot be compared; set "
+          "it to 0, or leave stress out of the errors of the "
+          "sweep.");
+      return scene;
+    }
+
+
+
+    /** Prints the parameters of the scene, or else the defaults. */
+    void
+    print_parameters_of(const Command &command)
+    {
+      std::ostringstream text;
+      if (command.scene_file.empty())
+        print_parameters(text, command.print_format);
+      else if (command.print_format != "prm" && command.print_format != "json")
+        throw SceneError("--print-parameters " + command.print_format +
+                         " describes all parameters; for the values of a scene "
+                         "use prm or json.");
+      else
+        {
+          dealii::ParameterHandler prm;
+          const Scene              scene = read_scene(command, prm);
+          Summary                  json  = scene_as_json(prm);
+          json.erase(checksums_of_files);
+          text << (command.print_format == "prm" ? used_parameters(prm)
+                                                 : json.dump(2) + '\n');
+        }
+      std::cout << text.str() << std::flush;
+      if (!std::cout)
+        throw FileError("Cannot write to the standard output.");
+    }
   } // namespace
 
 
 
   int
-  exit_status_of(const std::exception &error)
+  show_parameters(const Command &command)
   {
-    if (dynamic_cast<const SceneError *>(&error) != nullptr)
-      return bad_input;
-    if (dynamic_cast<const FileError *>(&error) != nullptr)
-      return file_failure;
-    return numerical_failure;
+    const char *rank = std::getenv("OMPI_COMM_WORLD_RANK");
+    if (rank != nullptr && std::string(rank) != "0")
+      return done;
+    try
+      {
+        print_parameters_of(command);
+        return done;
+      }
+    catch (const std::exception &error)
+      {
+        std::cerr << "crevasse: " << error.what() << std::endl;
+        return exit_status_of(error);
+      }
   }
 
 
 
-  Scene
-  read_scene(const Command &command, dealii::ParameterHandler &prm)
+  int
+  evaluate(const std::vector<std::string> &words)
   {
-    if (std::error_code unknown;
-        !std::filesystem::exists(command.scene_file, unknown))
+    try
       {
-        const std::string guess = similar_to(command.scene_file);
-        throw FileError("The file \"" + command.scene_file +
-                        "\" does not exist" + (guess.empty() ? "." : guess));
+        const Expression formula(words.at(3),
+                                 Expression::Variables::space_and_time,
+                                 words[2]);
+        if (formula.depends_on_space())
+          throw SceneError("a formula may depend on t, but not on x, y, z");
+        for (std::size_t i = 4; i < words.size(); ++i)
+          std::cout << Text::from_number(
+                         formula.value(dealii::Point<2>(), std::stod(words[i])))
+                    << '\n';
+        return done;
       }
-    Problems problems;
-    Scene    scene =
-      read_scene(command.scene_file, command.overrides, prm, problems);
-    scene.check(problems);
-    problems.throw_if_any();
-    scene.output.stress_record = command.stress_record;
-    if (command.stress_record && scene.refinement.readapt_every > 0)
-      throw SceneError("[Refinement] Readapt every = " +
-                       std::to_string(scene.refinement.readapt_every) +
-                       ": stresses on changing meshes cannot be compared; set "
-                       "it to 0, or leave stress out of the errors of the "
-                       "sweep.");
-    return scene;
+    catch (const std::exception &error) // also if T is no number
+      {
+        std::cerr << error.what() << std::endl;
+        return bad_input;
+      }
   }
 
 

@@ -170,18 +170,6 @@ namespace Crevasse
 
 
 
-  template <int dim>
-  double
-  Expression::value(const dealii::Point<dim> &point, const double t) const
-  {
-    Place<dim> place;
-    place.point = point;
-    place.t     = t;
-    return value(place);
-  }
-
-
-
   bool
   Expression::is_zero() const
   {
@@ -270,8 +258,4 @@ namespace Crevasse
   Expression::value<2>(const Place<2> &) const;
   template double
   Expression::value<3>(const Place<3> &) const;
-  template double
-  Expression::value<2>(const dealii::Point<2> &, const double) const;
-  template double
-  Expression::value<3>(const dealii::Point<3> &, const double) const;
 } // namespace Crevasse

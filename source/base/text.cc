@@ -151,18 +151,6 @@ namespace Crevasse
 
 
 
-    template <int dim>
-    std::string
-    from_point(const dealii::Point<dim> &point)
-    {
-      std::vector<std::string> coordinates;
-      for (unsigned int d = 0; d < dim; ++d)
-        coordinates.push_back(from_number(point[d], 6));
-      return "(" + join(coordinates, ", ") + ")";
-    }
-
-
-
     namespace
     {
       /** Reads all of a text as one number. */
@@ -242,12 +230,5 @@ namespace Crevasse
         }
       return nearest.empty() ? "" : "; did you mean \"" + nearest + "\"?";
     }
-
-
-
-    template std::string
-    from_point<2>(const dealii::Point<2> &);
-    template std::string
-    from_point<3>(const dealii::Point<3> &);
   } // namespace Text
 } // namespace Crevasse

@@ -2,8 +2,8 @@
 // Copyright (C) 2026 by the Crevasse authors
 
 #include <crevasse/base/collectively.h>
-#include <crevasse/base/format.h>
 #include <crevasse/base/problems.h>
+#include <crevasse/base/text.h>
 #include <crevasse/base/text_file.h>
 #include <crevasse/checkpoint/checkpoints.h>
 #include <crevasse/checkpoint/scene_difference.h>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Crevasse authors
 
-#include <crevasse/base/format.h>
+#include <crevasse/base/text.h>
 #include <crevasse/contact/projected_sor.h>
 
 #include <cmath>

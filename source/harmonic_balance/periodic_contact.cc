@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Crevasse authors
 
-#include <crevasse/base/format.h>
 #include <crevasse/base/problems.h>
+#include <crevasse/base/text.h>
 #include <crevasse/harmonic_balance/periodic_state.h>
 #include <crevasse/harmonic_balance/periodic_system.h>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Crevasse authors
 
-#include <crevasse/base/format.h>
+#include <crevasse/base/text.h>
 #include <crevasse/model/state_transfer.h>
 #include <crevasse/simulation/adaptive_run.h>
 #include <crevasse/simulation/setup_report.h>

@@ -2,8 +2,8 @@
 // Copyright (C) 2026 by the Crevasse authors
 
 #include <crevasse/base/csv_table.h>
-#include <crevasse/base/format.h>
 #include <crevasse/base/problems.h>
+#include <crevasse/base/text.h>
 #include <crevasse/contact/sweep.h>
 #include <crevasse/model/elastic_displacement.h>
 #include <crevasse/model/largest_load.h>

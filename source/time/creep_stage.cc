@@ -2,8 +2,8 @@
 // Copyright (C) 2026 by the Crevasse authors
 
 #include <crevasse/base/collectively.h>
-#include <crevasse/base/format.h>
 #include <crevasse/base/problems.h>
+#include <crevasse/base/text.h>
 #include <crevasse/time/anderson_acceleration.h>
 #include <crevasse/time/creep_stage.h>
 

@@ -75,11 +75,6 @@ namespace Crevasse
     std::string
     clear_earlier_results() const;
 
-    std::string
-    why_finished(const Summary &summary,
-                 const Scene   &scene,
-                 const Summary &parameters) const;
-
     const bool from_command_line, may_replace;
 
   public:

@@ -5,25 +5,26 @@
 #define crevasse_app_run_command_h
 
 #include <crevasse/app/command_line.h>
-#include <crevasse/parameters/scene.h>
 
 namespace Crevasse
 {
-  /** Reads the scene of a command.
-   * @throw SceneError with all mistakes; FileError */
-  Scene
-  read_scene(const Command &command, dealii::ParameterHandler &prm);
-
-  /** Exit status of the program for an exception: 2 for SceneError, 4 for
-   * FileError, 3 for others. */
-  int
-  exit_status_of(const std::exception &error);
-
   /** Runs, resumes or checks the scene of a command, and turns exceptions into
    * messages. Collective.
    * @return the exit status. */
   int
   run_command(const Command &command);
+
+  /** Prints parameters without MPI, whose start would take longer: a sweep asks
+   * for each point. With mpirun only the first process answers.
+   * @return the exit status. */
+  int
+  show_parameters(const Command &command);
+
+  /** `crevasse evaluate NAME FORMULA T...`: prints the values of a closed form,
+   * a line each, to the Python package.
+   * @return the exit status. */
+  int
+  evaluate(const std::vector<std::string> &words);
 } // namespace Crevasse
 
 #endif

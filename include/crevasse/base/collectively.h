@@ -7,6 +7,7 @@
 #include <deal.II/base/mpi.h>
 
 #include <functional>
+#include <vector>
 
 namespace Crevasse
 {
@@ -19,6 +20,18 @@ namespace Crevasse
    */
   void
   collectively(const MPI_Comm communicator, const std::function<void()> &f);
+
+  /** Concatenates the lists of all ranks in their order. Collective. */
+  template <typename T>
+  std::vector<T>
+  of_all_ranks(const MPI_Comm communicator, const std::vector<T> &local)
+  {
+    std::vector<T> all;
+    for (const auto &of_rank :
+         dealii::Utilities::MPI::all_gather(communicator, local))
+      all.insert(all.end(), of_rank.begin(), of_rank.end());
+    return all;
+  }
 } // namespace Crevasse
 
 #endif

@@ -4,6 +4,11 @@
 #ifndef crevasse_base_csv_table_h
 #define crevasse_base_csv_table_h
 
+#include <crevasse/base/problems.h>
+#include <crevasse/base/text.h>
+
+#include <deal.II/base/exceptions.h>
+
 #include <fstream>
 #include <string>
 #include <vector>
@@ -20,11 +25,37 @@ namespace Crevasse
      * @throw FileError if the file cannot be written. */
     CsvTable(const std::string              &file_name,
              const std::vector<std::string> &header,
-             const bool                      is_continuing = false);
+             const bool                      is_continuing = false)
+      : file_name(file_name)
+      , n_columns(header.size())
+    {
+      if (file_name.empty())
+        return;
+      file.open(file_name, is_continuing ? std::ios::app : std::ios::trunc);
+      if (!is_continuing)
+        {
+          for (std::size_t i = 0; i < n_columns; ++i)
+            file << (i > 0 ? "," : "") << header[i];
+          file << std::endl;
+        }
+      if (!file)
+        throw FileError("Cannot write " + file_name + ".");
+    }
 
     /** Writes a row. @throw FileError if it cannot be written. */
     void
-    add_row(const std::vector<double> &values);
+    add_row(const std::vector<double> &values)
+    {
+      AssertDimension(values.size(), n_columns);
+      if (file_name.empty())
+        return;
+      for (std::size_t i = 0; i < n_columns; ++i)
+        file << (i > 0 ? "," : "") << Text::from_number(values[i]);
+      file << std::endl;
+      if (!file)
+        throw FileError("Cannot write " + file_name +
+                        ": is the disk full? The file has the earlier rows.");
+    }
 
   private:
     const std::string file_name;

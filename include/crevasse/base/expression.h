@@ -59,7 +59,10 @@ namespace Crevasse
 
     template <int dim>
     double
-    value(const dealii::Point<dim> &point, const double t = 0.) const;
+    value(const dealii::Point<dim> &point, const double t = 0.) const
+    {
+      return value(Place<dim>{point, t});
+    }
 
     bool
     depends_on(const std::string &variable) const

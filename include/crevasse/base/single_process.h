@@ -4,6 +4,8 @@
 #ifndef crevasse_base_single_process_h
 #define crevasse_base_single_process_h
 
+#include <cstdlib>
+
 namespace Crevasse
 {
   /** Prepares Open MPI for a single process; call it before MPI is initialised.
@@ -11,8 +13,24 @@ namespace Crevasse
    * tell Open MPI to start no daemon, to look for no networks, and to make no
    * session directory, which short-lived processes would remove from each
    * other. Variables that are set already stay. */
-  void
-  set_up_single_process();
+  inline void
+  set_up_single_process()
+  {
+    for (const char *of_launchers : {"OMPI_COMM_WORLD_SIZE",
+                                     "PMIX_RANK",
+                                     "PMI_RANK",
+                                     "PMI_FD",
+                                     "SLURM_STEP_ID",
+                                     "ALPS_APP_PE"})
+      if (std::getenv(of_launchers) != nullptr)
+        return;
+    setenv("OMPI_MCA_ess_singleton_isolated", "1", 0);
+    setenv("OMPI_MCA_orte_create_session_dirs", "0", 0);
+    // This component needs no session directory when checkpoints are opened.
+    setenv("OMPI_MCA_sharedfp", "individual", 0);
+    setenv("OMPI_MCA_pml", "ob1", 0);
+    setenv("OMPI_MCA_btl", "self", 0);
+  }
 } // namespace Crevasse
 
 #endif

@@ -4,6 +4,7 @@
 #ifndef crevasse_base_state_archive_h
 #define crevasse_base_state_archive_h
 
+#include <crevasse/base/problems.h>
 #include <crevasse/base/vector.h>
 
 #include <deal.II/base/exceptions.h>
@@ -42,7 +43,16 @@ namespace Crevasse
      * @param n_ranks number of ranks of the run that wrote the archive. */
     StateArchive(const MPI_Comm     communicator,
                  const std::string &bytes,
-                 const unsigned int n_ranks);
+                 const unsigned int n_ranks)
+      : mpi_communicator(communicator)
+      , loads(true)
+      , same_ranks(dealii::Utilities::MPI::n_mpi_processes(communicator) ==
+                   n_ranks)
+      , items(dealii::Utilities::unpack<std::vector<std::vector<char>>>(
+          std::vector<char>(bytes.begin(), bytes.end()),
+          false))
+    {
+    }
 
     virtual ~StateArchive()       = default;
     StateArchive(StateArchive &&) = default;
@@ -72,12 +82,24 @@ namespace Crevasse
 
     /** Contents written so far, except for fields. */
     std::string
-    bytes() const;
+    bytes() const
+    {
+      const std::vector<char> packed = dealii::Utilities::pack(items, false);
+      return {packed.begin(), packed.end()};
+    }
 
     /** Begins a named section of the archive, so that a wrong order of reading
      * is noticed. @throw FileError */
     void
-    section(const std::string &name);
+    section(const std::string &name)
+    {
+      std::string found = name;
+      common(found);
+      if (found != name)
+        throw FileError(
+          "The checkpoint does not fit: it has \"" + found + "\" where \"" +
+          name + "\" is expected. Another version of the program wrote it.");
+    }
 
     /** Serialises a value that all ranks have alike: a number, a string, a
      * container of these, or a struct of numbers. */
@@ -111,7 +133,13 @@ namespace Crevasse
 
     /** Serialises the maximum over the ranks of a number. */
     void
-    maximum(double &value);
+    maximum(double &value)
+    {
+      double largest = dealii::Utilities::MPI::max(value, communicator());
+      common(largest);
+      if (is_loading())
+        value = largest;
+    }
 
     /** Serialises a field of displacements or nodal forces (see Space). An
      * empty field stays empty. */
@@ -139,7 +167,13 @@ namespace Crevasse
 
     /** Serialises a flag for each contact bound of this rank. */
     void
-    on_bounds(std::vector<bool> &values);
+    on_bounds(std::vector<bool> &values)
+    {
+      std::vector<double> numbers(values.begin(), values.end());
+      on_bounds(numbers);
+      if (is_loading())
+        values.assign(numbers.begin(), numbers.end());
+    }
 
     /** Serialises a number for each cell, by active cell index. */
     virtual void
@@ -152,7 +186,13 @@ namespace Crevasse
     /** Writes these bytes, or reads the next bytes in the order of writing. The
      * first rank's bytes are used on all ranks. */
     void
-    exchange(std::vector<char> &item);
+    exchange(std::vector<char> &item)
+    {
+      if (loads)
+        item = items.at(next++);
+      else
+        items.push_back(item);
+    }
 
     MPI_Comm                       mpi_communicator;
     bool                           loads = false, same_ranks = true;

@@ -6,7 +6,9 @@
 
 #include <deal.II/base/point.h>
 
+#include <cstdio>
 #include <optional>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -55,7 +57,13 @@ namespace Crevasse
     /** Writes a point as "(x, y)" with six digits, for messages. */
     template <int dim>
     std::string
-    from_point(const dealii::Point<dim> &point);
+    from_point(const dealii::Point<dim> &point)
+    {
+      std::vector<std::string> coordinates;
+      for (unsigned int d = 0; d < dim; ++d)
+        coordinates.push_back(from_number(point[d], 6));
+      return "(" + join(coordinates, ", ") + ")";
+    }
 
     /** Reads all of a text as one finite number. */
     std::optional<double>
@@ -74,6 +82,37 @@ namespace Crevasse
     std::string
     did_you_mean(const std::string              &word,
                  const std::vector<std::string> &candidates);
+
+    /** A message assembled by <<; numbers have six digits. */
+    class Message
+    {
+    public:
+      template <typename Part>
+      Message &
+      operator<<(const Part &part)
+      {
+        static_cast<std::ostream &>(stream) << part;
+        return *this;
+      }
+
+      operator std::string() const
+      {
+        return stream.str();
+      }
+
+    private:
+      std::ostringstream stream;
+    };
+
+    /** Text formatted like std::printf(), at most 999 characters. */
+    template <typename... Arguments>
+    std::string
+    format(const char *pattern, const Arguments... arguments)
+    {
+      char text[1000];
+      std::snprintf(text, sizeof(text), pattern, arguments...);
+      return text;
+    }
   } // namespace Text
 } // namespace Crevasse
 

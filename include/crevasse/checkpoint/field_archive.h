@@ -5,7 +5,6 @@
 #define crevasse_checkpoint_field_archive_h
 
 #include <crevasse/base/collectively.h>
-#include <crevasse/base/of_all_ranks.h>
 #include <crevasse/base/problems.h>
 #include <crevasse/base/state_archive.h>
 #include <crevasse/model/body.h>

@@ -5,8 +5,8 @@
 #define crevasse_postprocess_crack_front_table_h
 
 #include <crevasse/base/csv_table.h>
-#include <crevasse/base/format.h>
 #include <crevasse/base/log.h>
+#include <crevasse/base/text.h>
 #include <crevasse/postprocess/crack_front_analysis.h>
 
 #include <algorithm>

@@ -5,7 +5,7 @@
 #define crevasse_postprocess_creep_integral_table_h
 
 #include <crevasse/base/csv_table.h>
-#include <crevasse/base/format.h>
+#include <crevasse/base/text.h>
 #include <crevasse/crack_tip/creep_integral.h>
 #include <crevasse/crack_tip/growth_law.h>
 #include <crevasse/time/observer.h>

@@ -4,7 +4,6 @@
 #ifndef crevasse_postprocess_slip_while_closed_h
 #define crevasse_postprocess_slip_while_closed_h
 
-#include <crevasse/base/format.h>
 #include <crevasse/base/log.h>
 #include <crevasse/base/text.h>
 #include <crevasse/model/body.h>

@@ -4,8 +4,8 @@
 #ifndef crevasse_secular_onset_h
 #define crevasse_secular_onset_h
 
-#include <crevasse/base/format.h>
 #include <crevasse/base/log.h>
+#include <crevasse/base/text.h>
 #include <crevasse/lip/contact_boundary.h>
 #include <crevasse/time/observer.h>
 

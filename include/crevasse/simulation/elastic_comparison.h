@@ -4,8 +4,8 @@
 #ifndef crevasse_simulation_elastic_comparison_h
 #define crevasse_simulation_elastic_comparison_h
 
-#include <crevasse/base/format.h>
 #include <crevasse/base/state_archive.h>
+#include <crevasse/base/text.h>
 #include <crevasse/model/elastic_displacement.h>
 #include <crevasse/simulation/run.h>
 #include <crevasse/time/observer.h>
