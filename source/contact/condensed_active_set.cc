@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Crevasse authors
 
+#include <crevasse/base/of_all_ranks.h>
 #include <crevasse/base/problems.h>
 #include <crevasse/base/text.h>
 #include <crevasse/contact/condensed_active_set.h>
@@ -15,12 +16,11 @@ namespace Crevasse
   {
     /** Values of all bounds from the values of each rank. Collective. */
     dealii::Vector<double>
-    of_all(const LipGraph &lip, const std::vector<double> &local)
+    of_all(const SignoriniProblem &problem, const std::vector<double> &local)
     {
-      dealii::Vector<double> all(lip.n_nodes());
-      std::copy(local.begin(), local.end(), all.begin() + lip.first());
-      lip.gather(all.data());
-      return all;
+      const std::vector<double> all =
+        of_all_ranks(problem.stiffness.get_mpi_communicator(), local);
+      return {all.begin(), all.end()};
     }
   } // namespace
 
@@ -33,20 +33,20 @@ namespace Crevasse
     , linear_solver(linear_solver)
     , lip(problem)
     , lip_problem(linear_solver.lip_stiffness(),
-                  of_all(lip, problem.bounds.sign),
-                  of_all(lip, problem.bounds.gap),
+                  of_all(problem, problem.bounds.sign),
+                  of_all(problem, problem.bounds.gap),
                   [this](const std::vector<bool> &closed,
                          std::vector<bool>       &next) {
                     lip.extrapolate(closed, next);
                   })
-    , sign(of_all(lip, problem.bounds.sign))
-    , springs(of_all(lip, problem.springs()))
+    , sign(of_all(problem, problem.bounds.sign))
+    , springs(of_all(problem, problem.springs()))
     , free_motions(lip.n_nodes(), problem.bounds.free_motions.size())
   {
     for (unsigned int m = 0; m < free_motions.n(); ++m)
       {
         const LipVector openings =
-          of_all(lip, problem.bounds.free_motions[m].openings);
+          of_all(problem, problem.bounds.free_motions[m].openings);
         for (unsigned int i = 0; i < openings.size(); ++i)
           free_motions(i, m) = openings(i);
       }

@@ -6,9 +6,7 @@
 
 #include <deal.II/base/mpi.h>
 
-#include <algorithm>
 #include <map>
-#include <numeric>
 
 namespace Crevasse
 {
@@ -25,53 +23,24 @@ namespace Crevasse
 
   LipGraph::LipGraph(const SignoriniProblem &problem)
     : communicator(problem.stiffness.get_mpi_communicator())
-    , counts(Utilities::MPI::all_gather(communicator,
-                                        int(problem.bounds.dofs.size())))
-    , starts(counts.size(), 0)
+    , first_local(0)
+    , neighbours(problem.n_bounds())
   {
-    std::partial_sum(counts.begin(), counts.end() - 1, starts.begin() + 1);
-    first_local = starts[Utilities::MPI::this_mpi_process(communicator)];
-    // Number of the node of each dof on all ranks: the lip is small. Bounds
-    // without a point have numbers, but no neighbours.
-    std::vector<types::global_dof_index> with_place = problem.bounds.dofs;
-    with_place.resize(with_place.size() - problem.bounds.n_global);
-    const auto all_dofs = Utilities::MPI::all_gather(communicator, with_place);
+    const auto counts =
+      Utilities::MPI::all_gather(communicator, problem.bounds.dofs.size());
+    for (unsigned int rank = 0;
+         rank < Utilities::MPI::this_mpi_process(communicator);
+         ++rank)
+      first_local += counts[rank];
+
     std::map<types::global_dof_index, unsigned int> node_of;
-    for (unsigned int rank = 0; rank < all_dofs.size(); ++rank)
-      for (unsigned int k = 0; k < all_dofs[rank].size(); ++k)
-        node_of[all_dofs[rank][k]] = starts[rank] + k;
-
-    LinearOperator::Indices lip;
-    for (const auto &node : node_of)
-      lip.push_back(node.first);
-
-    std::vector<Nodes> local;
-    for (const auto &coupled : problem.stiffness.couplings(with_place, lip))
-      {
-        local.emplace_back();
-        for (const auto dof : coupled)
-          local.back().push_back(node_of.at(dof));
-      }
-    local.resize(problem.bounds.dofs.size());
-    neighbours = of_all_ranks(communicator, local);
-  }
-
-
-
-  void
-  LipGraph::gather(double *on_lip) const
-  {
-    if (n_nodes() == 0)
-      return;
-    const int error = MPI_Allgatherv(MPI_IN_PLACE,
-                                     0,
-                                     MPI_DATATYPE_NULL,
-                                     on_lip,
-                                     counts.data(),
-                                     starts.data(),
-                                     MPI_DOUBLE,
-                                     communicator);
-    AssertThrowMPI(error);
+    for (const auto dof : problem.all_bounded_dofs())
+      node_of.emplace(dof, node_of.size());
+    for (const auto &face : problem.bounds.faces)
+      for (const auto a : face)
+        for (const auto b : face)
+          if (a != b)
+            neighbours[node_of.at(a)].push_back(node_of.at(b));
   }
 
 
@@ -79,10 +48,9 @@ namespace Crevasse
   std::vector<bool>
   LipGraph::gathered(const std::vector<bool> &local) const
   {
-    std::vector<double> flags(n_nodes());
-    std::copy(local.begin(), local.end(), flags.begin() + first());
-    gather(flags.data());
-    return {flags.begin(), flags.end()};
+    std::vector<bool> all = of_all_ranks(communicator, local);
+    all.resize(n_nodes());
+    return all;
   }
 
 

@@ -5,7 +5,6 @@
 
 #include <Epetra_CrsMatrix.h>
 #include <Epetra_MultiVector.h>
-#include <algorithm>
 
 namespace Crevasse
 {
@@ -26,29 +25,6 @@ namespace Crevasse
   MatrixOperator::vmult(Vector &result, const Vector &v) const
   {
     multiply(sparse_matrix, result, v);
-  }
-
-
-
-  std::vector<MatrixOperator::Indices>
-  MatrixOperator::couplings(const Indices &rows, const Indices &columns) const
-  {
-    // deal.II's iterators allocate as many entries as there are columns.
-    const Epetra_CrsMatrix &A = sparse_matrix.trilinos_matrix();
-    std::vector<Indices>    coupled(rows.size());
-    for (std::size_t k = 0; k < rows.size(); ++k)
-      {
-        int     n, *local_columns;
-        double *values;
-        A.ExtractMyRowView(A.LRID(int(rows[k])), n, values, local_columns);
-        for (int entry = 0; entry < n; ++entry)
-          if (const types::global_dof_index column =
-                A.GCID(local_columns[entry]);
-              column != rows[k] && values[entry] != 0. &&
-              std::binary_search(columns.begin(), columns.end(), column))
-            coupled[k].push_back(column);
-      }
-    return coupled;
   }
 
 

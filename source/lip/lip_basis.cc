@@ -65,10 +65,9 @@ namespace Crevasse
   template <int dim>
   struct LipBasis<dim>::Surroundings
   {
-    std::vector<std::vector<unsigned int>> nodes_of_faces;
-    std::multimap<Index, unsigned int>     nodes_at; ///< nodes by first dof
-    std::vector<Tensor<1, dim>>            loads;    ///< ∫φ n of nodes
-    Meanings                               supported;
+    std::multimap<Index, unsigned int> nodes_at; ///< nodes by first dof
+    std::vector<Tensor<1, dim>>        loads;    ///< ∫φ n of nodes
+    Meanings                           supported;
   };
 
 
@@ -119,7 +118,7 @@ namespace Crevasse
           throw_unmatched(face.centre);
         if (face.is_crack && partners[f] < f)
           continue;
-        auto &of_face = surroundings.nodes_of_faces.emplace_back();
+        auto &of_face = nodes_of_faces.emplace_back();
         for (const auto &node : face.nodes)
           {
             const auto *opposite =
@@ -292,7 +291,7 @@ namespace Crevasse
         loads[master] +=
           (nodes[i].normal * nodes[master].normal > 0. ? factor : -factor) *
           loads[i];
-    for (const auto &on_face : surroundings.nodes_of_faces)
+    for (const auto &on_face : nodes_of_faces)
       {
         double largest = 0.;
         for (const unsigned int i : on_face)
@@ -313,7 +312,7 @@ namespace Crevasse
   LipBasis<dim>::choose_masters(const Surroundings &surroundings)
   {
     std::map<unsigned int, std::pair<double, unsigned int>> nearest;
-    for (const auto &on_face : surroundings.nodes_of_faces)
+    for (const auto &on_face : nodes_of_faces)
       for (const unsigned int i : on_face)
         if (nodes[i].weight == 0.)
           for (const unsigned int j : on_face)
@@ -360,7 +359,7 @@ namespace Crevasse
   {
     boost::adjacency_list<boost::vecS, boost::vecS, boost::undirectedS> graph(
       nodes.size());
-    for (const auto &on_face : surroundings.nodes_of_faces)
+    for (const auto &on_face : nodes_of_faces)
       for (const unsigned int i : on_face)
         add_edge(on_face.front(), i, graph);
     for (const auto &[first, i] : surroundings.nodes_at)

@@ -325,8 +325,14 @@ namespace Crevasse
             bounds.dofs.push_back(unknown);
             bounds.sign.push_back(1.);
             bounds.gap.push_back(0.);
-            ++bounds.n_global;
           }
+    for (const auto &nodes_of_face : lip.basis.nodes_of_faces)
+      {
+        auto &face = bounds.faces.emplace_back();
+        for (const unsigned int i : nodes_of_face)
+          if (const auto &node = lip.basis.nodes[i]; node.has_unknown())
+            face.push_back(node.unknown);
+      }
     for (const RigidMotion &motion : motions)
       {
         bounds.free_motions.push_back({motion.name, {}});

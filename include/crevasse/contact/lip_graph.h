@@ -9,8 +9,8 @@
 namespace Crevasse
 {
   /**
-   * Graph of the bounds of all ranks, numbered rank by rank: bounds whose
-   * unknowns A couples are neighbours. Every rank has the whole graph.
+   * Graph of the bounds of all ranks, numbered rank by rank: bounds on the same
+   * face of a lip are neighbours. Every rank has the whole graph.
    */
   class LipGraph
   {
@@ -32,12 +32,8 @@ namespace Crevasse
       return neighbours.size();
     }
 
-    /** Completes the locally owned entries of @p on_lip by those of the other
-     * ranks. Collective. */
-    void
-    gather(double *on_lip) const;
-
-    /** Combines the locally owned flags of all ranks. Collective. */
+    /** Combines the locally owned flags of all ranks, false if there are none.
+     * Collective. */
     std::vector<bool>
     gathered(const std::vector<bool> &local) const;
 
@@ -75,8 +71,6 @@ namespace Crevasse
     erode(const std::vector<Nodes> &layers, std::vector<bool> &next) const;
 
     MPI_Comm           communicator;
-    std::vector<int>   counts; ///< number of bounds on each rank
-    std::vector<int>   starts;
     unsigned int       first_local;
     std::vector<Nodes> neighbours;
   };

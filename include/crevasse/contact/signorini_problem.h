@@ -31,9 +31,8 @@ namespace Crevasse
     std::vector<double>                          sign;
     std::vector<double>                          gap;
 
-    /** Number of bounds, at the end, without a point on the lip: their unknowns
-     * couple with all others. */
-    unsigned int n_global = 0;
+    /** Unknowns with bounds on each face of the lips, of all ranks. */
+    std::vector<std::vector<dealii::types::global_dof_index>> faces;
 
     /** Basis of the kernel of A: motions that only bounds can stop. The same on
      * all ranks; each motion opens some bound. */

@@ -32,15 +32,6 @@ namespace Crevasse
     virtual const Vector &
     diagonal() const = 0;
 
-    /** For each of the locally owned @p rows the other @p columns that A
-     * couples with it: by non-zero entries of a matrix, otherwise by a common
-     * cell. Collective.
-     *
-     * @param rows A subset of the columns.
-     * @param columns Ascending indices. */
-    virtual std::vector<Indices>
-    couplings(const Indices &rows, const Indices &columns) const = 0;
-
     virtual MPI_Comm
     get_mpi_communicator() const = 0;
 

@@ -24,9 +24,6 @@ namespace Crevasse
       return matrix_diagonal;
     }
 
-    std::vector<Indices>
-    couplings(const Indices &rows, const Indices &columns) const override;
-
     MPI_Comm
     get_mpi_communicator() const override
     {

@@ -20,10 +20,28 @@ namespace Crevasse
      * @param stiffness K at the quadrature points, which is copied. */
     StiffnessOperator(const Space<dim>                    &space,
                       const QuadratureField<dim>          &points,
-                      const PointValues<VoigtMatrix<dim>> &stiffness);
+                      const PointValues<VoigtMatrix<dim>> &stiffness)
+      : product(space, points, stiffness)
+    {
+    }
 
     void
-    vmult(Vector &result, const Vector &v) const override;
+    vmult(Vector &result, const Vector &v) const override
+    {
+      const auto is_ours = [this](const Vector &vector) {
+        return vector.get_partitioner() == diagonal().get_partitioner();
+      };
+      if (is_ours(v) && is_ours(result))
+        {
+          product.vmult(result, v);
+          return;
+        }
+      copy_of_v.reinit(diagonal(), true);
+      copy_of_result.reinit(diagonal(), true);
+      copy_of_v.copy_locally_owned_data_from(v);
+      product.vmult(copy_of_result, copy_of_v);
+      result.copy_locally_owned_data_from(copy_of_result);
+    }
 
     const Vector &
     diagonal() const override
@@ -31,13 +49,10 @@ namespace Crevasse
       return product.diagonal();
     }
 
-    std::vector<Indices>
-    couplings(const Indices &rows, const Indices &columns) const override;
-
     MPI_Comm
     get_mpi_communicator() const override
     {
-      return space.communicator();
+      return diagonal().get_mpi_communicator();
     }
 
     const Matrix *
@@ -47,10 +62,13 @@ namespace Crevasse
     }
 
     std::size_t
-    memory_consumption() const override;
+    memory_consumption() const override
+    {
+      return product.memory_consumption() + copy_of_v.memory_consumption() +
+             copy_of_result.memory_consumption();
+    }
 
   private:
-    const Space<dim>                   &space;
     const StiffnessProduct<dim, double> product;
     mutable Vector copy_of_v, copy_of_result; ///< result, if layouts differ
   };

@@ -94,6 +94,8 @@ namespace Crevasse
     jumps(const Vector &nodal_values) const;
 
     std::vector<Node> nodes;
+    /** Numbers of the nodes on each face of the lips. */
+    std::vector<std::vector<unsigned int>> nodes_of_faces;
 
   private:
     struct Surroundings;

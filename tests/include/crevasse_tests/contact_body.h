@@ -9,6 +9,7 @@
 #include <crevasse/discretisation/quadrature_field.h>
 #include <crevasse/discretisation/strain_operator.h>
 #include <crevasse/lip/contact_boundary.h>
+#include <crevasse/model/body.h>
 
 #include <memory>
 #include <string>
@@ -35,14 +36,9 @@ public:
           space.dof_handler,
           space.locally_owned_unknowns,
           Crevasse::Expression("0"))
+    , bounds(Crevasse::unilateral_bounds(lip, space))
     , usual_traction(traction)
   {
-    for (const auto &node : lip.nodes)
-      {
-        bounds.dofs.push_back(node.unknown);
-        bounds.sign.push_back(node.sign);
-        bounds.gap.push_back(0.);
-      }
   }
 
   /** The nodal forces of a traction. */

@@ -172,6 +172,7 @@ namespace
           {
             matrix.set(i, i - 1, -1.);
             matrix.set(i - 1, i, -1.);
+            bounds.faces.push_back({i - 1, i});
           }
         bounds.dofs.push_back(i);
         bounds.sign.push_back(1.);
