@@ -133,18 +133,21 @@ namespace Crevasse
 
 
 
-  template <int dim>
-  VoigtMatrix<dim>
+  template <int dim, typename Number>
+  VoigtMatrix<dim, Number>
   relaxed_stiffness(const VoigtMatrix<dim> &K,
                     const VoigtMatrix<dim> &H,
-                    const double            kappa)
+                    const Number            kappa)
   {
-    const auto       places     = components<dim>(false);
-    VoigtMatrix<dim> relaxation = K * (kappa * H);
-    for (const unsigned int i : places)
-      relaxation[i][i] += 1.;
-    LAPACKFullMatrix<double> matrix  = to_lapack<dim>(relaxation, places);
-    LAPACKFullMatrix<double> columns = to_lapack<dim>(K, places);
+    constexpr unsigned int         n  = n_stress_components<dim>;
+    const VoigtMatrix<dim, Number> KH = K * (kappa * H);
+    LAPACKFullMatrix<Number>       matrix(n), columns(n);
+    for (unsigned int i = 0; i < n; ++i)
+      for (unsigned int j = 0; j < n; ++j)
+        {
+          matrix(i, j)  = KH[i][j] + (i == j ? 1. : 0.);
+          columns(i, j) = K[i][j];
+        }
     try
       {
         matrix.compute_lu_factorization();
@@ -157,31 +160,12 @@ namespace Crevasse
           "rounding: the step is too long for the relaxation times. Take "
           "shorter steps.");
       }
-    return symmetric_part<dim>(columns, places);
-  }
-
-
-
-  // The eigenvalues of the inverted matrix are 1 + κλ with λ ≥ 0, never near
-  // zero. The result is symmetric, also where K has no 33 row.
-  template <int dim>
-  VoigtMatrix<dim, std::complex<double>>
-  relaxed_stiffness(const VoigtMatrix<dim>    &K,
-                    const VoigtMatrix<dim>    &H,
-                    const std::complex<double> kappa)
-  {
-    constexpr unsigned int           n  = n_stress_components<dim>;
-    const VoigtMatrix<dim>           KH = K * H;
-    FullMatrix<std::complex<double>> matrix(n, n);
+    // Symmetric, also where K has no 33 row.
+    VoigtMatrix<dim, Number> result;
     for (unsigned int i = 0; i < n; ++i)
       for (unsigned int j = 0; j < n; ++j)
-        matrix(i, j) = (i == j ? 1. : 0.) + kappa * KH[i][j];
-    matrix.gauss_jordan();
-    VoigtMatrix<dim, std::complex<double>> result;
-    for (unsigned int i = 0; i < n; ++i)
-      for (unsigned int j = 0; j < n; ++j)
-        result[i] += matrix(i, j) * K[j];
-    return 0.5 * (result + transpose(result));
+        result[i][j] = 0.5 * (columns(i, j) + columns(j, i));
+    return result;
   }
 
 
@@ -360,13 +344,10 @@ namespace Crevasse
 
 #define INSTANTIATE(dim)                                                       \
   template decltype(inverse<dim>) inverse<dim>;                                \
-  template VoigtMatrix<dim> relaxed_stiffness<dim>(const VoigtMatrix<dim> &,   \
-                                                   const VoigtMatrix<dim> &,   \
-                                                   const double);              \
-  template VoigtMatrix<dim, std::complex<double>> relaxed_stiffness<dim>(      \
-    const VoigtMatrix<dim> &,                                                  \
-    const VoigtMatrix<dim> &,                                                  \
-    const std::complex<double>);                                               \
+  template decltype(relaxed_stiffness<dim, double>)                            \
+    relaxed_stiffness<dim, double>;                                            \
+  template decltype(relaxed_stiffness<dim, std::complex<double>>)              \
+    relaxed_stiffness<dim, std::complex<double>>;                              \
   template decltype(condense_thickness<dim>) condense_thickness<dim>;          \
   template decltype(in_plane<dim>)           in_plane<dim>;                    \
   template decltype(least_relative_eigenvalue<dim>)                            \
