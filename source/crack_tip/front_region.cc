@@ -83,9 +83,8 @@ namespace Crevasse
   {
     const std::vector<FrontEdge> edges =
       oriented_crack_front(space.mesh(), space.roles);
-    // Entries: coordinates, chain, s, whether on a plane of symmetry.
-    std::vector<std::array<double, 6>> found;
-    double worst = 0.; // largest distance to the curve / cell
+    std::vector<Vertex> found;
+    double              worst = 0.; // largest distance to the curve / cell
     for (const auto &cell : owned_cells(space.mesh()))
       {
         const unsigned int index  = cell->active_cell_index();
@@ -112,12 +111,8 @@ namespace Crevasse
                             return space.roles.symmetry.count(
                                      cell->face(f)->boundary_id()) > 0;
                           });
-            found.push_back({{point[0],
-                              point[1],
-                              point[2],
-                              double(frame.chain),
-                              frame.s,
-                              is_symmetric ? 1. : 0.}});
+            found.push_back(
+              {point, frame.chain, frame.s, 0., 0., is_symmetric});
           }
         for (const unsigned int v : cell->vertex_indices())
           if (at_front[index])
@@ -133,15 +128,8 @@ namespace Crevasse
         ": the crack front is a polygon whose corners the refined mesh "
         "resolves, and K_I is not smooth there. Use a finer mesh file and "
         "fewer [Refinement] Cycles or [Geometry] Refinements.");
-    std::vector<Vertex> all;
-    for (const auto &n : of_all_ranks(communicator, found))
-      all.push_back({Point<3>(n[0], n[1], n[2]),
-                     static_cast<unsigned int>(n[3]),
-                     n[4],
-                     0.,
-                     0.,
-                     n[5] > 0.});
-    number_vertices(all);
+    found = of_all_ranks(communicator, found);
+    number_vertices(found);
   }
 
 

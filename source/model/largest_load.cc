@@ -271,22 +271,17 @@ namespace Crevasse
 
 
 
-#define INSTANTIATE(dim)                                                     \
-  template Vector              loads_at(const Body<dim> &, const double);    \
-  template double              instant_of_largest_load(const Body<dim> &,    \
-                                                       const StepList &);    \
-  template std::vector<double> instants_of_extreme_loads(const Body<dim> &,  \
-                                                         const StepList &);  \
-  template double largest_load(const Body<dim> &, const StepList &);         \
-  template double load_missed_by_steps(const Body<dim> &, const StepList &); \
-  template std::vector<double> instants_of_scale(const Body<dim> &,          \
-                                                 const StepList &);          \
-  template std::vector<double> find_jumps(const Scene &,                     \
-                                          const Body<dim> &,                 \
-                                          const StepList &,                  \
-                                          const double);                     \
-  template double least_temperature(const Body<dim> &, const double)
-
+#define INSTANTIATE(dim)                                                       \
+  template decltype(loads_at<dim>) loads_at<dim>;                              \
+  template decltype(instant_of_largest_load<dim>)                              \
+    instant_of_largest_load<dim>;                                              \
+  template decltype(instants_of_extreme_loads<dim>)                            \
+                                               instants_of_extreme_loads<dim>; \
+  template decltype(largest_load<dim>)         largest_load<dim>;              \
+  template decltype(load_missed_by_steps<dim>) load_missed_by_steps<dim>;      \
+  template decltype(instants_of_scale<dim>)    instants_of_scale<dim>;         \
+  template decltype(find_jumps<dim>)           find_jumps<dim>;                \
+  template decltype(least_temperature<dim>)    least_temperature<dim>
   INSTANTIATE(2);
   INSTANTIATE(3);
 

@@ -33,6 +33,13 @@ namespace Crevasse
       double before, after;
       bool   on_symmetry; ///< whether it is on a plane of symmetry
 
+      template <typename Archive>
+      void
+      serialize(Archive &archive, const unsigned int)
+      {
+        archive &point &chain &s &before &after &on_symmetry;
+      }
+
       bool
       is_end() const
       {
