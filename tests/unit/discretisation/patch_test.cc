@@ -93,13 +93,19 @@ namespace
     }
 
     Tangent<dim>
-    tangent_at(const double, const double, const Vector &) override
+    tangent_at(const double,
+               const double,
+               const Vector &,
+               const Vector &) override
     {
       AssertThrow(false, dealii::ExcNotImplemented());
     }
 
     Tangent<dim>
-    renew_tangent(const double, const double, const Vector &) override
+    renew_tangent(const double,
+                  const double,
+                  const Vector &,
+                  const Vector &) override
     {
       AssertThrow(false, dealii::ExcNotImplemented());
     }
