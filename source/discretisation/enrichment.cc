@@ -23,22 +23,20 @@ namespace Crevasse
     for (unsigned int i = 0; i < fe.n_dofs_per_cell(); ++i)
       components.push_back(fe.system_to_component_index(i).first);
 
-    CellValues<2>             cell_values(space,
+    CellValues<2>                          cell_values(space,
                               update_gradients | update_JxW_values |
                                 update_quadrature_points);
-    std::vector<Tensor<2, 2>> gradients;
+    std::vector<std::vector<Tensor<2, 2>>> gradients;
     for (const auto &cell : owned_cells(space.dof_handler))
       {
         const FEValues<2> &values = cell_values.reinit(cell);
         const std::size_t  first  = points.first_point(cell);
         for (const unsigned int q : values.quadrature_point_indices())
           weights[first + q] = values.JxW(q);
+        space.singular_shapes()->gradients(values, gradients);
         for (unsigned int k = 0; k < strains.size(); ++k)
-          {
-            space.singular_shapes()->gradients(k, values, gradients);
-            for (const unsigned int q : values.quadrature_point_indices())
-              strains[k][first + q] = voigt_strain<2>(gradients[q]);
-          }
+          for (const unsigned int q : values.quadrature_point_indices())
+            strains[k][first + q] = voigt_strain<2>(gradients[k][q]);
         if (space.rule(cell) != 0)
           {
             SpecialCell special;

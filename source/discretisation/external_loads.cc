@@ -100,11 +100,7 @@ namespace Crevasse
       space.get_unknowns(cell, unknowns);
       if constexpr (dim == 2)
         if (const SingularShapes *shapes = space.singular_shapes())
-          {
-            singular_values.resize(shapes->size());
-            for (unsigned int k = 0; k < shapes->size(); ++k)
-              shapes->values(k, values, singular_values[k]);
-          }
+          shapes->values(values, singular_values);
       for (const unsigned int q : values.quadrature_point_indices())
         {
           Weights weights;

@@ -126,32 +126,41 @@ namespace Crevasse
 
 
   void
-  SingularShapes::values(const unsigned int         k,
-                         const FEValuesBase<2>     &values,
-                         std::vector<Tensor<1, 2>> &result) const
+  SingularShapes::values(const FEValuesBase<2>                  &values,
+                         std::vector<std::vector<Tensor<1, 2>>> &result) const
   {
-    result.resize(values.n_quadrature_points);
-    values[FEValuesExtractors::Vector(0)].get_function_values(interpolated[k],
-                                                              result);
     const Point<2> center = values.get_cell()->center();
-    for (const unsigned int q : values.quadrature_point_indices())
-      result[q] =
-        functions[k].value(values.quadrature_point(q), center) - result[q];
+    result.resize(size());
+    for (unsigned int k = 0; k < size(); ++k)
+      {
+        result[k].resize(values.n_quadrature_points);
+        values[FEValuesExtractors::Vector(0)].get_function_values(
+          interpolated[k], result[k]);
+        for (const unsigned int q : values.quadrature_point_indices())
+          result[k][q] =
+            functions[k].value(values.quadrature_point(q), center) -
+            result[k][q];
+      }
   }
 
 
 
   void
-  SingularShapes::gradients(const unsigned int         k,
-                            const FEValuesBase<2>     &values,
-                            std::vector<Tensor<2, 2>> &result) const
+  SingularShapes::gradients(
+    const FEValuesBase<2>                  &values,
+    std::vector<std::vector<Tensor<2, 2>>> &result) const
   {
-    result.resize(values.n_quadrature_points);
-    values[FEValuesExtractors::Vector(0)].get_function_gradients(
-      interpolated[k], result);
     const Point<2> center = values.get_cell()->center();
-    for (const unsigned int q : values.quadrature_point_indices())
-      result[q] =
-        functions[k].gradient(values.quadrature_point(q), center) - result[q];
+    result.resize(size());
+    for (unsigned int k = 0; k < size(); ++k)
+      {
+        result[k].resize(values.n_quadrature_points);
+        values[FEValuesExtractors::Vector(0)].get_function_gradients(
+          interpolated[k], result[k]);
+        for (const unsigned int q : values.quadrature_point_indices())
+          result[k][q] =
+            functions[k].gradient(values.quadrature_point(q), center) -
+            result[k][q];
+      }
   }
 } // namespace Crevasse

@@ -228,12 +228,10 @@ namespace Crevasse
                                      Quadrature<dim>(place.unit_point),
                                      update_values | update_quadrature_points);
               at_place.reinit(place.cell);
-              std::vector<Tensor<1, dim>> shape;
+              std::vector<std::vector<Tensor<1, dim>>> shape;
+              shapes->values(at_place, shape);
               for (unsigned int k = 0; k < shapes->size(); ++k)
-                {
-                  shapes->values(k, at_place, shape);
-                  weights(space.singular_unknown(k)) += shape[0][d];
-                }
+                weights(space.singular_unknown(k)) += shape[k][0][d];
             }
         weights.compress(VectorOperation::add);
         for (unsigned int i = 0; i < weights.locally_owned_size(); ++i)

@@ -99,20 +99,18 @@ namespace Crevasse
       return functions.size();
     }
 
-    /** Values φ_k at the points of a cell or face.
+    /** Values φ_k of all functions at the points of a cell or face.
      * @param values Shape function values and quadrature points. */
     void
-    values(const unsigned int                 k,
-           const dealii::FEValuesBase<2>     &values,
-           std::vector<dealii::Tensor<1, 2>> &result) const;
+    values(const dealii::FEValuesBase<2>                  &values,
+           std::vector<std::vector<dealii::Tensor<1, 2>>> &result) const;
 
-    /** Gradients ∂φ_k/∂x.
+    /** Gradients ∂φ_k/∂x of all functions.
      * @param values Gradients and quadrature points, none of which is the tip.
      */
     void
-    gradients(const unsigned int                 k,
-              const dealii::FEValuesBase<2>     &values,
-              std::vector<dealii::Tensor<2, 2>> &result) const;
+    gradients(const dealii::FEValuesBase<2>                  &values,
+              std::vector<std::vector<dealii::Tensor<2, 2>>> &result) const;
 
   private:
     std::vector<Vector> interpolated; ///< I_h ψ with ghost values

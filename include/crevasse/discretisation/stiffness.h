@@ -41,11 +41,7 @@ namespace Crevasse
         find_mean_dilatations();
       if constexpr (dim == 2)
         if (const SingularShapes *shapes = space.singular_shapes())
-          {
-            singular_gradients.resize(shapes->size());
-            for (unsigned int k = 0; k < shapes->size(); ++k)
-              shapes->gradients(k, *values, singular_gradients[k]);
-          }
+          shapes->gradients(*values, singular_gradients);
       return *values;
     }
 

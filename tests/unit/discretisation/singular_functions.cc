@@ -237,9 +237,9 @@ namespace
 
     // The field of a coefficient is psi at the nodes of no cell, and all of it
     // where the nodes have the interpolation.
-    double                            at_nodes = 0., volume = 0.;
-    std::vector<dealii::Tensor<1, 2>> values;
-    dealii::FEValues<2>               at_support_points(
+    double                                         at_nodes = 0., volume = 0.;
+    std::vector<std::vector<dealii::Tensor<1, 2>>> values;
+    dealii::FEValues<2>                            at_support_points(
       space.mapping,
       space.finite_element,
       dealii::Quadrature<2>(space.finite_element.get_unit_support_points()),
@@ -259,13 +259,11 @@ namespace
           continue;
         at_support_points.reinit(cell);
         cell->get_dof_indices(indices);
+        space.singular_shapes()->values(at_support_points, values);
         for (unsigned int k = 0; k < n_functions; ++k)
-          {
-            space.singular_shapes()->values(k, at_support_points, values);
-            for (unsigned int i = 0; i < indices.size(); ++i)
-              if (!hanging.is_constrained(indices[i]))
-                at_nodes = std::max(at_nodes, values[i].norm());
-          }
+          for (unsigned int i = 0; i < indices.size(); ++i)
+            if (!hanging.is_constrained(indices[i]))
+              at_nodes = std::max(at_nodes, values[k][i].norm());
         const dealii::FEValues<2> &own = cell_values.reinit(cell);
         for (const unsigned int point : own.quadrature_point_indices())
           volume += own.JxW(point);
