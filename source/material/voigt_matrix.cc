@@ -133,21 +133,18 @@ namespace Crevasse
 
 
 
-  template <int dim, typename Number>
-  VoigtMatrix<dim, Number>
+  template <int dim>
+  VoigtMatrix<dim>
   relaxed_stiffness(const VoigtMatrix<dim> &K,
                     const VoigtMatrix<dim> &H,
-                    const Number            kappa)
+                    const double            kappa)
   {
-    constexpr unsigned int         n  = n_stress_components<dim>;
-    const VoigtMatrix<dim, Number> KH = K * (kappa * H);
-    LAPACKFullMatrix<Number>       matrix(n), columns(n);
-    for (unsigned int i = 0; i < n; ++i)
-      for (unsigned int j = 0; j < n; ++j)
-        {
-          matrix(i, j)  = KH[i][j] + (i == j ? 1. : 0.);
-          columns(i, j) = K[i][j];
-        }
+    const auto       places     = components<dim>(false);
+    VoigtMatrix<dim> relaxation = K * (kappa * H);
+    for (const unsigned int i : places)
+      relaxation[i][i] += 1.;
+    LAPACKFullMatrix<double> matrix  = to_lapack<dim>(relaxation, places);
+    LAPACKFullMatrix<double> columns = to_lapack<dim>(K, places);
     try
       {
         matrix.compute_lu_factorization();
@@ -160,12 +157,31 @@ namespace Crevasse
           "rounding: the step is too long for the relaxation times. Take "
           "shorter steps.");
       }
-    // Symmetric, also where K has no 33 row.
-    VoigtMatrix<dim, Number> result;
+    return symmetric_part<dim>(columns, places);
+  }
+
+
+
+  // The eigenvalues of the inverted matrix are 1 + κλ with λ ≥ 0, never near
+  // zero. The result is symmetric, also where K has no 33 row.
+  template <int dim>
+  VoigtMatrix<dim, std::complex<double>>
+  relaxed_stiffness(const VoigtMatrix<dim>    &K,
+                    const VoigtMatrix<dim>    &H,
+                    const std::complex<double> kappa)
+  {
+    constexpr unsigned int           n  = n_stress_components<dim>;
+    const VoigtMatrix<dim>           KH = K * H;
+    FullMatrix<std::complex<double>> matrix(n, n);
     for (unsigned int i = 0; i < n; ++i)
       for (unsigned int j = 0; j < n; ++j)
-        result[i][j] = 0.5 * (columns(i, j) + columns(j, i));
-    return result;
+        matrix(i, j) = (i == j ? 1. : 0.) + kappa * KH[i][j];
+    matrix.gauss_jordan();
+    VoigtMatrix<dim, std::complex<double>> result;
+    for (unsigned int i = 0; i < n; ++i)
+      for (unsigned int j = 0; j < n; ++j)
+        result[i] += matrix(i, j) * K[j];
+    return 0.5 * (result + transpose(result));
   }
 
 
@@ -344,10 +360,13 @@ namespace Crevasse
 
 #define INSTANTIATE(dim)                                                       \
   template decltype(inverse<dim>) inverse<dim>;                                \
-  template decltype(relaxed_stiffness<dim, double>)                            \
-    relaxed_stiffness<dim, double>;                                            \
-  template decltype(relaxed_stiffness<dim, std::complex<double>>)              \
-    relaxed_stiffness<dim, std::complex<double>>;                              \
+  template VoigtMatrix<dim> relaxed_stiffness<dim>(const VoigtMatrix<dim> &,   \
+                                                   const VoigtMatrix<dim> &,   \
+                                                   const double);              \
+  template VoigtMatrix<dim, std::complex<double>> relaxed_stiffness<dim>(      \
+    const VoigtMatrix<dim> &,                                                  \
+    const VoigtMatrix<dim> &,                                                  \
+    const std::complex<double>);                                               \
   template decltype(condense_thickness<dim>) condense_thickness<dim>;          \
   template decltype(in_plane<dim>)           in_plane<dim>;                    \
   template decltype(least_relative_eigenvalue<dim>)                            \

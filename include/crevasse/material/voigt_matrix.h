@@ -20,14 +20,18 @@ namespace Crevasse
   VoigtMatrix<dim>
   inverse(const VoigtMatrix<dim> &matrix);
 
-  /** (I + κ K H)⁻¹ K, for two symmetric matrices, positive semidefinite, and a
-   * κ, real or complex, whose real part is not negative: what K bears where H
-   * gives way. */
-  template <int dim, typename Number>
-  VoigtMatrix<dim, Number>
+  // (I + κ K H)⁻¹ K, for two symmetric matrices, positive semidefinite, and a κ
+  // whose real part is not negative: what K bears where H gives way.
+  template <int dim>
+  VoigtMatrix<dim>
   relaxed_stiffness(const VoigtMatrix<dim> &K,
                     const VoigtMatrix<dim> &H,
-                    const Number            kappa);
+                    const double            kappa);
+  template <int dim>
+  VoigtMatrix<dim, std::complex<double>>
+  relaxed_stiffness(const VoigtMatrix<dim>    &K,
+                    const VoigtMatrix<dim>    &H,
+                    const std::complex<double> kappa);
 
   /** What is left of a stiffness where the strain 33 follows from s₃₃ = 0. */
   template <int dim>
