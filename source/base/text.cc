@@ -121,7 +121,7 @@ namespace Crevasse
     bool
     is_utf8(const std::string &text)
     {
-      // Texts are written to JSON files, so the JSON library judges them.
+      // Texts are written to JSON files, so the JSON library checks them.
       try
         {
           nlohmann::json(text).dump();

@@ -30,7 +30,7 @@ namespace Crevasse
       double length = 0.;
       for (std::size_t k = 1; k < driver.size(); ++k)
         {
-          // Unknown values before a jump are the last ones, behind it the next.
+          // Unknown values: take the last one before a jump, the next after it.
           const double begin = *std::find_if(two_periods.begin() + k - 1,
                                              two_periods.end() - 1,
                                              known);

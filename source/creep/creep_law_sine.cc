@@ -12,7 +12,7 @@ namespace Crevasse
 {
   namespace
   {
-    /** ln sinh u for u > 0. */
+    /** Logarithm ln sinh u for u > 0. */
     double
     log_sinh(const double u)
     {
@@ -31,8 +31,8 @@ namespace Crevasse
 
 
 
-    /** Integrates by Gauss's rule over the stresses that count: f falls from s
-     * on at least as fast as exp(−n (s − u)/s₀). */
+    /** Integrates by Gauss' rule over the stresses that matter: below s, f(u)
+     * decays at least like exp(−n (s − u)/s₀). */
     CreepLaw::DualPotential
     sine_dual_potential(const CreepLaw::Constants &c, const double log_stress)
     {

@@ -204,7 +204,7 @@ namespace Crevasse
           if (types.empty())
             continue;
           const int n_vertices = require_allowed(types, element_dim, dim);
-          // Of two orders, Gmsh returns elements of one, but counts all.
+          // With mixed orders Gmsh returns one of them, but counts all.
           std::vector<std::size_t> all_numbers, no_nodes;
           gmsh::model::mesh::preallocateElementsByType(
             types[0], true, false, all_numbers, no_nodes, entity.second);

@@ -13,7 +13,7 @@ namespace Crevasse
 
   namespace
   {
-    /** Obstacles that the material is to harmonic balance, with advice. */
+    /** Reasons in the material against harmonic balance, with advice. */
     template <int dim>
     std::vector<std::string>
     material_obstacles(const Body<dim> &body)

@@ -321,7 +321,7 @@ namespace Crevasse
                 const double length = nodes[i].point.distance(nodes[j].point);
                 const auto [at, is_first] =
                   nearest.emplace(i, std::make_pair(length, j));
-                // Of equally near nodes the first one is used.
+                // Use the first of equally near nodes.
                 if (!is_first && length < (1. - 1e-10) * at->second.first)
                   at->second = {length, j};
               }

@@ -10,8 +10,7 @@ namespace Crevasse
   std::array<double, 2>
   closed_parts(const std::vector<LipMoment> &lip)
   {
-    // The first half of each interval has the status of its begin, the second
-    // that of its end.
+    // Each half of an interval has the status of the nearer end.
     std::array<double, 3> part   = {};
     const double          period = lip.back().instant - lip.front().instant;
     for (std::size_t i = 1; i < lip.size(); ++i)

@@ -13,12 +13,12 @@ namespace Crevasse
 
   namespace
   {
-    // The logarithm of numbers whose squares do not overflow.
+    // Logarithm of the largest numbers whose squares do not overflow.
     constexpr double largest_log = 300.;
 
 
 
-    /** Hs = 3/2 dev s, with engineering shears. */
+    /** Direction Hs = 3/2 dev s, with engineering shears. */
     template <int dim>
     VoigtVector<dim>
     direction(const VoigtVector<dim> &s)
@@ -32,7 +32,7 @@ namespace Crevasse
 
 
 
-    /** ln s, also of s = 0. */
+    /** Logarithm ln s, finite for s = 0. */
     double
     log_of(const double s)
     {
@@ -41,7 +41,7 @@ namespace Crevasse
 
 
 
-    /** w and R of a state of creep that hardens. */
+    /** Parts w and R of a state with hardening. */
     template <int dim>
     using Parts = std::pair<double, VoigtVector<dim>>;
 
@@ -120,13 +120,13 @@ namespace Crevasse
     if (!law->hardens || s == 0.)
       return {creep, softness * secant};
 
-    constexpr double stable = 2.; // rate times step, or about that
+    constexpr double stable = 2.; // about the largest stable rate × step
     const double     m = constants.back(), f = secant * s;
     auto [w, R]     = parts_of<dim>(state);
     double hardness = (1. + m) * std::pow(softness / (stable * s), m);
     if (w > 0.)
       hardness = std::min(hardness, std::pow(w, -m / (1. + m)));
-    // R/w of the end of an implicit step is (R̂ + aN)/(ŵ + a).
+    // At the end of an implicit step, R/w = (R̂ + aN)/(ŵ + a).
     R += kappa / k * creep;
     w += kappa / k * f;
     return {with_trace<dim>(w > 0. ? creep + m * f / w * R : (1. + m) * creep,
@@ -202,13 +202,13 @@ namespace Crevasse
         if (w > 0.)
           elastic -= std::pow(w, -m / (1. + m)) * of_known;
       }
-    double square = 0.; // of s
+    double square = 0.; // s²
     for (unsigned int i = 0; i < size; ++i)
       square += l[i] * elastic[i] * elastic[i];
     if (square == 0.)
       return modes.directions * elastic;
-    // In x = ln s. Without hardening Newton's steps stay between those of the
-    // least and the largest slope, and so does the zero.
+    // Newton's method for x = ln s. Without hardening, steps with the least and
+    // the largest slope enclose the zero.
     constexpr double infinity = std::numeric_limits<double>::infinity();
     double           x        = 0.5 * std::log(square);
     double           above = hardens ? infinity : x, below = -infinity;
@@ -265,7 +265,7 @@ namespace Crevasse
                                      const double            k,
                                      const double            log_kappa) const
   {
-    constexpr double softest = 1e-20; // parts of K, beyond what is resolved
+    constexpr double softest = 1e-20; // relative to K, below rounding
     const double     s       = equivalent_stress<dim>(stress);
     const double     w       = law->hardens ? parts_of<dim>(known).first : 0.;
     const Step       now     = step(log_of(s), w, k, log_kappa);

@@ -22,7 +22,7 @@ namespace Crevasse
 
 
 
-    /** "[Material] Poisson ratio = 0.3". */
+    /** Formats a coefficient: "[Material] Poisson ratio = 0.3". */
     std::string
     describe(const Expression &formula)
     {
@@ -31,7 +31,7 @@ namespace Crevasse
 
 
 
-    /** A formula whose value, number @p i of all, must lie in a range. */
+    /** Adds a formula whose value must lie in a range. */
     template <typename Value>
     void
     add_formula(Property<Value>  &property,
@@ -49,7 +49,7 @@ namespace Crevasse
 
 
 
-    /** Where the rows of a matrix of the scene are among the components. */
+    /** Component of each row of a matrix in a scene; empty: wrong size. */
     template <int dim>
     std::vector<unsigned int>
     places_of_rows(const std::size_t n_rows, const bool plane_stress)
@@ -64,7 +64,7 @@ namespace Crevasse
 
 
 
-    /** @p values may be longer than the matrix. */
+    /** Matrix from its entries by rows; further @p values are ignored. */
     template <int dim>
     VoigtMatrix<dim>
     matrix_of(const Values &values, const std::vector<unsigned int> &places)
@@ -119,7 +119,7 @@ namespace Crevasse
 
 
 
-    /** K, isotropic or from its matrix. */
+    /** Stiffness K, isotropic or from Stiffness matrix. */
     template <int dim>
     Property<VoigtMatrix<dim>>
     stiffness_property(const MaterialParameters &parameters)
@@ -155,9 +155,8 @@ namespace Crevasse
 
 
 
-    /** The formulas of K, and the function of their values that gives its
-     * inverse as H of unit viscosity has it: with the 33 row of the whole
-     * body, which creeps in thickness too. */
+    /** Adds the formulas of K, and returns K⁻¹ as a function of their values,
+     * with row 33 also in plane stress, because the thickness creeps. */
     template <int dim>
     std::function<VoigtMatrix<dim>(const Values &)>
     add_compliance(const MaterialParameters   &parameters,
@@ -179,7 +178,7 @@ namespace Crevasse
 
 
 
-    /** H = (τK)⁻¹ / fraction. */
+    /** Fluidity H = (τK)⁻¹ / fraction. */
     template <int dim>
     Property<VoigtMatrix<dim>>
     proportional_fluidity(const MaterialParameters &parameters,
@@ -197,7 +196,7 @@ namespace Crevasse
 
 
 
-    /** H of Viscous modulus and Viscous Poisson ratio. */
+    /** Fluidity of Viscous modulus and Viscous Poisson ratio. */
     template <int dim>
     Property<VoigtMatrix<dim>>
     isotropic_fluidity(const MaterialParameters &parameters)
@@ -215,7 +214,7 @@ namespace Crevasse
 
 
 
-    /** H = η⁻¹ of Viscosity matrix. */
+    /** Fluidity H = η⁻¹ of Viscosity matrix. */
     template <int dim>
     Property<VoigtMatrix<dim>>
     fluidity_of_matrix(const MaterialParameters &parameters)
@@ -236,7 +235,7 @@ namespace Crevasse
 
 
 
-    /** A strain, with engineering shears, of a scalar or a tensor. */
+    /** Strain, with engineering shears, from a scalar or a tensor. */
     template <int dim>
     Property<VoigtVector<dim>>
     strain_property(const Formulas &components)

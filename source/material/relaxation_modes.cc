@@ -31,7 +31,7 @@ namespace Crevasse
     fluidity.compute_generalized_eigenvalues_symmetric(stiffness,
                                                        columns,
                                                        eigenvalues_of_KH);
-    // What keeps its volume has a rate 0, which rounding would let relax.
+    // Pressure does not relax in volume-preserving creep: its rate is zero.
     constexpr double rounding = 1e-13;
     const double     largest  = fluidity.eigenvalue(n - 1).real();
     for (unsigned int j = 0; j < n; ++j)

@@ -163,7 +163,7 @@ namespace Crevasse
 
 
   // The eigenvalues of the inverted matrix are 1 + κλ with λ ≥ 0, never near
-  // zero. The result is symmetric, also where K has no 33 row.
+  // zero. The result is symmetric, also if row 33 of K is zero.
   template <int dim>
   VoigtMatrix<dim, std::complex<double>>
   relaxed_stiffness(const VoigtMatrix<dim>    &K,

@@ -76,7 +76,7 @@ namespace Crevasse
 
 
 
-    /** Warning if the steps see another mean load; empty if they do not.
+    /** Warning if the mean load of the steps is wrong, or empty.
      *
      * @param missed_load difference of the mean loads.
      * @param seen mean load by the steps. */
@@ -96,7 +96,7 @@ namespace Crevasse
                      std::string(advice_on_steps);
       const double mean = mean_load.linfty_norm();
       const double part = missed_load / mean;
-      if (part <= 0.1) // as Euler's error of coarse steps
+      if (part <= 0.1) // typical error of coarse Euler steps
         return "";
       std::ostringstream text;
       text << "the mean load over the period and the mean of its samples at "
@@ -112,8 +112,8 @@ namespace Crevasse
 
 
 
-    /** Warning of steps with negative weights in the mean over the period;
-     * empty if there are none. */
+    /** Warning of steps with negative weights in the mean over the period, or
+     * empty. */
     std::string
     warning_of_negative_weights(const std::string &scheme,
                                 const Integrator  &integrator)
@@ -141,7 +141,7 @@ namespace Crevasse
 
 
 
-    /** Finds the mean load that the steps see, and takes it for the split.
+    /** Computes the mean load of the steps, and uses it for the split.
      *
      * @param largest scale of the loads.
      * @throw SceneError if the steps miss the flow that is split off. */
@@ -311,8 +311,8 @@ namespace Crevasse
     if (const auto tau = uniform_relaxation_time(body, viscosity, material);
         tau && !body.lip.has_gap)
       {
-        // The load is scaled to the size by which that solver judges errors:
-        // the mean contains the viscosity and may have any size.
+        // The mean contains the viscosity and may have any size: scale it to
+        // the loads, by which that solver measures errors.
         time   = *tau;
         factor = settings.largest_load / mean_load.linfty_norm();
         load *= factor;

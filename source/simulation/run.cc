@@ -12,7 +12,8 @@ namespace Crevasse
 
   namespace
   {
-    /** Finds them, and sets what depends on them in body and steps. */
+    /** Computes magnitudes of the scene, and sets data of body and steps that
+     * depend on them. */
     template <int dim>
     Magnitudes
     find_magnitudes(const Scene      &scene,

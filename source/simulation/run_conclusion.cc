@@ -128,7 +128,7 @@ namespace Crevasse
                           run.later_warnings.begin(),
                           run.later_warnings.end());
       summary["warnings"] = all_warnings;
-      // Those of the search: observers solve more problems for their summaries.
+      // Before the observers' summaries, which solve more problems.
       run.evolution.statistics().add_counters(summary);
       summarise_steps(run, summary);
     }

@@ -31,7 +31,7 @@ namespace Crevasse
         , looks_at_end(std::count(properties.quadrature.nodes.begin(),
                                   properties.quadrature.nodes.end(),
                                   1.) > 0)
-        // Not a simple fraction of the period, where a load may have its zeros.
+        // Loads may vanish at simple fractions of the period.
         , proposed(0.381966 * largest_step)
       {
       }
@@ -306,7 +306,7 @@ namespace Crevasse
       double       last_error = 1.;
 
       // Numbers of steps in this period.
-      double       needed = 0.; ///< steps that would have sufficed
+      double       needed = 0.; ///< sufficient number of steps
       unsigned int taken  = 0;
 
       std::size_t accepted = 0, rejected = 0;

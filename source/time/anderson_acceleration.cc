@@ -22,7 +22,7 @@ namespace Crevasse
         Vector step = pair.residual;
         step -= pairs.back().residual;
         const double residual_change = step.l2_norm();
-        // The point is recovered by x = G(x) − f.
+        // Recover the point: x = G(x) − f.
         step = x;
         step -= pairs.back().image;
         step += pairs.back().residual;

@@ -46,7 +46,7 @@ namespace Crevasse
        1.,
        3.306567892634947}};
 
-    /** Implicit methods by order; the first is that of "sdirk2". */
+    /** Implicit methods by order; the first is "sdirk2". */
     constexpr Choice implicit_choices[] = {
       {"SDIRK2(1)", ARKODE_DIRK_NONE, 10.},
       {"ESDIRK3(2)5L[2]SA", ARKODE_ESDIRK325L2SA_5_2_3, 1.},
@@ -158,7 +158,7 @@ namespace Crevasse
         else if (!properties.controls_steps)
           driver->fixed_step(step.length);
         else
-          // A step ends at each sample, to step over no event there.
+          // End a step at each sample, so as not to miss an event there.
           while (driver->time() < step.t + (1. - rounding) * step.length)
             if (driver->evolve(step.t + step.length))
               {

@@ -90,7 +90,7 @@ namespace Crevasse
     const auto     &known  = stage.known;
     const double    k      = stage.state.stiffness_factor;
     const Stopwatch watch("strain sweeps");
-    // One rank alone may have the point of an error: the sweep communicates.
+    // An error on one rank must not interrupt the sweep, which communicates.
     std::optional<NumericalError> not_found;
     excess.reinit(stage.state.stress, true);
     strain_operator.for_each_strain(
@@ -135,7 +135,7 @@ namespace Crevasse
     Vector &q   = stage.state.displacement;
     Vector  way = q;
     way -= before;
-    // Of the potential along the way, at this part of it.
+    // Slope of the potential along the step, at a fraction of it.
     const auto slope = [&](const double part) {
       q = before;
       q.add(part, way);
@@ -149,7 +149,7 @@ namespace Crevasse
     double       low = 0., high = 1., of_high = slope(1.), of_low = slope(0.);
     const double goal = enough * std::abs(of_low);
     if (of_low >= 0.)
-      return; // no way down
+      return; // not a direction of descent
     for (unsigned int i = 0; i < most && of_high > goal; ++i)
       {
         const double zero = of_low / (of_low - of_high);
@@ -197,7 +197,7 @@ namespace Crevasse
         if (residual <= enough)
           {
             right_hand_side += next;
-            if (enough <= tolerance) // a shorter step only leads the way
+            if (enough <= tolerance) // not in stages of smaller c
               solver.note_newton_residual(residual);
             return solver;
           }
@@ -249,7 +249,7 @@ namespace Crevasse
                         to,
                         std::log(material.kappa(to)),
                         InelasticStrain<dim>(material, known),
-                        // The tangent of a trial that failed is useless.
+                        // The tangent of a failed trial is useless.
                         has_failed
                                    ? instants.renew_tangent(t, to, state.stress, known)
                                    : instants.tangent_at(t, to, state.stress, known),

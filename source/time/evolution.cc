@@ -357,7 +357,7 @@ namespace Crevasse
     elastic_stress = std::sqrt(largest);
     const MaterialState<dim> &material =
       instants.material_at(all_instants.front());
-    if (material.hardens && elastic_stress > 0.) // r is strain to the 1 + m
+    if (material.hardens && elastic_stress > 0.) // r ~ strain^(1+m)
       for (std::size_t p = 0; p < shares.size(); ++p)
         stress_scales[p] /=
           std::pow(elastic_stress * std::sqrt(shares[p] / volume) /
@@ -372,7 +372,7 @@ namespace Crevasse
   Evolution<dim>::relaxation_rate() const
   {
     if (fastest < 0.)
-      return 0.; // without a word to other ranks
+      return 0.; // on all ranks
     return dealii::Utilities::MPI::max(fastest,
                                        last.stress.get_mpi_communicator());
   }

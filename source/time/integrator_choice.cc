@@ -181,20 +181,20 @@ namespace Crevasse
 
 
     /**
-     * A semi-implicit method of order 2, like those that the paper compares
-     * (§6.2.1): Euler's method predicts r, the displacement is solved for that,
-     * and the trapezoidal rule corrects r with this displacement, implicitly in
-     * the stress that r relaxes:
+     * Semi-implicit method of order 2, like those that the paper compares
+     * (§6.2.1): Euler's method predicts r and the displacement of that r; the
+     * trapezoidal rule corrects r with this displacement, implicitly in the
+     * relaxing stress:
      *
      *     r* = r + Δt f(r,t)
      *     r(t + Δt) = r + ½Δt [f(r,t) + η⁻¹ s(q(r*), r(t + Δt))]
      *
      * It costs as much as Heun's method, with the same A. If all parts relax
-     * alike, steps have no stability limit; parts that load others cause it.
-     * With two parts in parallel, of which one does not flow and the other has
-     * the share p of the stiffness, a step multiplies the viscous strain by (1
-     * − z/2 + pz − p(1−p)z²/2) / (1 + z/2), z = Δt/τ; its modulus is at most 1
-     * for z up to 6 whatever p is (6 at p = 1/3).
+     * alike, there is no stability limit; parts that load others cause it. With
+     * an elastic part in parallel to a part with the share p of the stiffness,
+     * a step multiplies the viscous strain by
+     * (1 − z/2 + pz − p(1−p)z²/2) / (1 + z/2), z = Δt/τ, whose modulus is at
+     * most 1 for z ≤ 6 and any p (the limit is 6 at p = 1/3).
      */
     class PredictorCorrector : public Integrator
     {

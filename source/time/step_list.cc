@@ -25,7 +25,7 @@ namespace Crevasse
 
 
 
-    /** Sorted union; of values equal to rounding the one of @p some stays. */
+    /** Sorted union; of values equal to rounding, keeps that of @p some. */
     std::vector<double>
     unite(std::vector<double>        some,
           const std::vector<double> &others,

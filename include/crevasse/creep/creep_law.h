@@ -11,7 +11,7 @@
 
 namespace Crevasse
 {
-  /** A parameter of creep laws in the section Material. Laws may share it. */
+  /** Parameter of creep laws in the section Material. Laws may share it. */
   struct CreepLawParameter
   {
     const char *name;
@@ -21,28 +21,27 @@ namespace Crevasse
   };
 
   /**
-   * A law of creep that is not linear in the stress and keeps the volume. The
-   * creep rate is
+   * Nonlinear, volume-preserving creep law. The creep rate is
    *
    *     ε̇ᶜ = η₀(t)⁻¹ f(s) ε_c^(−m) N,      N = 3/2 dev σ / s,
    *
-   * with von Mises' stress s of the stress σ and the accumulated creep strain
-   * ε_c = ∫ √(2/3 ε̇ᶜ : ε̇ᶜ) dt. CreepPoint integrates it. The table of
-   * ViscosityType names all laws.
+   * with the von Mises stress s of the stress σ and the accumulated creep
+   * strain ε_c = ∫ √(2/3 ε̇ᶜ : ε̇ᶜ) dt. CreepPoint integrates the rate.
+   * Selection<ViscosityType> lists all laws.
    */
   struct CreepLaw
   {
-    /** Values of the parameters at a point and an instant; ln A instead of the
-     * first one, which is the factor A of f. */
+    /** Values of the parameters at a point and an instant. The first entry is
+     * ln A, with the factor A of f. */
     using Constants = std::array<double, 3>;
 
-    /** ln (f/s) and λ = d ln f / d ln s, which does not fall with s. */
+    /** ln (f/s) and λ = d ln f / d ln s. λ must not decrease with s. */
     struct Response
     {
       double log_secant, slope;
     };
 
-    /** Ω = ∫₀ˢ f ds, and ∂Ω/∂c. */
+    /** Dual potential Ω = ∫₀ˢ f ds and its derivatives ∂Ω/∂c. */
     struct DualPotential
     {
       double    value;
@@ -51,15 +50,15 @@ namespace Crevasse
 
     std::vector<CreepLawParameter> parameters;
 
-    /** Response to ln s. */
+    /** Response to a stress s, given as ln s. */
     Response (*response)(const Constants &c, const double log_stress);
     DualPotential (*dual_potential)(const Constants &c,
                                     const double     log_stress);
 
-    /** Whether the last constant is m; otherwise m is 0. */
+    /** Whether the last constant is m; without hardening m = 0. */
     bool hardens = false;
 
-    /** Parameters of this law, and one more. */
+    /** Parameters of this law and an additional one. */
     std::vector<CreepLawParameter>
     parameters_and(const CreepLawParameter &more) const
     {
@@ -68,7 +67,7 @@ namespace Crevasse
       return all;
     }
 
-    /** λ where s tends to 0, which tells how a stress dies out. */
+    /** λ as s tends to 0: determines how stress finally decays. */
     double
     least_exponent(const Constants &c) const
     {
@@ -82,7 +81,7 @@ namespace Crevasse
   power_law();
 
   /** f = A sinh(s/s₀)ⁿ (Garofalo, Fundamentals of Creep and Creep-Rupture in
-   * Metals, 1965): a power law of small stresses, an exponential of large ones.
+   * Metals, 1965): a power law for small s, an exponential for large s.
    */
   const CreepLaw &
   hyperbolic_sine();

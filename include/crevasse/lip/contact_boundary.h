@@ -12,7 +12,7 @@
 
 namespace Crevasse
 {
-  /** A contact node of the lips, on the rank that has its unknown. */
+  /** Contact node of the lips, on the rank that owns its unknown. */
   template <int dim>
   struct LipNode : LipBasis<dim>::Node
   {
@@ -58,11 +58,11 @@ namespace Crevasse
   };
 
   /**
-   * The crack's lips in the contact problem, L in the paper's notation: u_N is
+   * Lips of the crack in the contact problem, L in the paper's notation: u_N is
    * the normal displacement of a lip relative to the other lip or to a rigid
    * plane. Nodes whose normal displacement is fixed by a support, interpolated
-   * as at hanging nodes in space, or shared by both lips are no contact nodes.
-   * See LipBasis.
+   * (as at hanging nodes in space) or shared by both lips are not contact
+   * nodes. See LipBasis.
    *
    * A hanging node transfers its share of the lip to the nodes from which it is
    * interpolated, as constrained shape functions do. This keeps the cells
@@ -71,7 +71,7 @@ namespace Crevasse
    *
    * A fixed node, as the crack tip, has no contact force: the support or the
    * body bears it. The force at a node without weight, as on an axis, gives no
-   * pressure. Such a node takes the pressure of the nearest node with weight on
+   * pressure. The node takes the pressure of the nearest node with weight on
    * one of its faces (0 if there is none), and is closed with it. The error is
    * of the order of the mesh size, and zero if the pressure is uniform; an open
    * crack has no pressure at its tip.
@@ -150,8 +150,8 @@ namespace Crevasse
     of_contact_forces(Vector &weights) const;
 
   private:
-    /** A degree of freedom that holds a pressure, and the numbers and factors
-     * of the nodes that determine it. */
+    /** Degree of freedom with a pressure, and the numbers and factors of the
+     * nodes that determine it. */
     struct Place
     {
       dealii::types::global_dof_index              dof;

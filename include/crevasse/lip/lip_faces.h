@@ -15,7 +15,7 @@
 
 namespace Crevasse
 {
-  /** A face of the lips, with the contributions of its nodes. */
+  /** Face of the lips, with the contributions of its nodes. */
   template <int dim>
   struct LipFace
   {
@@ -25,8 +25,8 @@ namespace Crevasse
       dealii::Point<dim>              point;
       double                          area; ///< area ∫φ over the face
       dealii::Tensor<1, dim>          load; ///< load ∫φ n, n into the body
-      /** Load or, on an axis, where it vanishes for quadratic φ, the load
-       * without the factor r. */
+      /** Load, or on an axis, where it vanishes for quadratic φ, load without
+       * the factor r. */
       dealii::Tensor<1, dim> inward;
 
       template <typename Archive>

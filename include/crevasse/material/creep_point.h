@@ -11,7 +11,7 @@
 
 namespace Crevasse
 {
-  /** Von Mises' stress √(3/2 dev s : dev s). */
+  /** Von Mises stress √(3/2 dev s : dev s). */
   template <int dim>
   double
   equivalent_stress(const VoigtVector<dim> &stress)
@@ -27,77 +27,76 @@ namespace Crevasse
   }
 
   /**
-   * A creep law at a point of the body.
+   * Creep law at a point of the body.
    *
-   * The ODE integrates the creep strain r; of a law that hardens it integrates
-   * y = R + wI of the unit tensor I and
+   * The state y in the ODE is the creep strain r or, with hardening, R + wI
+   * with the unit tensor I and
    *
    *     w = ε_c^(1+m),        R = ε_c^m r,
-   *     ẇ = η₀⁻¹ (1+m) f,     Ṙ = η₀⁻¹ f (N + m R/w),
+   *     ẇ = η₀⁻¹ (1+m) f,     Ṙ = η₀⁻¹ f (N + m R/w).
    *
-   * whose rates are finite where creep begins (there R/w is N), and constant
-   * under a constant stress. R has no trace, so that y tells both. A stage that
-   * begins at rest may have w < 0: it is at rest.
+   * These rates are finite where creep begins (R/w = N there), and constant
+   * under constant stress. R has no trace, so that y determines w and R. Stages
+   * may have w < 0 near rest, which counts as w = 0.
    */
   template <int dim>
   struct CreepPoint
   {
-    /** r of a state y. */
+    /** Creep strain r of a state y. */
     VoigtVector<dim>
     strain(const VoigtVector<dim> &state) const;
 
-    /** r + ε_c I of a state y, which other meshes can take over. */
+    /** r + ε_c I of a state y, for transfer to another mesh. */
     VoigtVector<dim>
     strains(const VoigtVector<dim> &state) const;
 
-    /** State y of r + ε_c I; ε_c is at least the size of r, which projections
-     * may violate. */
+    /** State y of r + ε_c I. Raises ε_c to the norm of r if a projection has
+     * made it smaller. */
     VoigtVector<dim>
     state(const VoigtVector<dim> &strains) const;
 
     const CreepLaw      *law;
     CreepLaw::Constants  constants;
-    RelaxationModes<dim> modes; ///< of N = Hs/s and the stiffness K
+    RelaxationModes<dim> modes; ///< modes of H and K, N = Hs/s
 
     struct Rate
     {
-      VoigtVector<dim> of_state; ///< η₀ẏ
-      /** The rate at which the stress relaxes, or more, times η₀: the largest
-       * eigenvalue of λf/s HK. For K ∂ṙ/∂s is at most that, as a quadratic
-       * form: the second part of ∂ṙ/∂s = f/s (H + (λ − 1) Hs⊗Hs / sHs) is no
-       * more than λ − 1 times the first (Cauchy and Schwarz), and as much along
-       * s. Hardening from rest lessens it within the step: at the end of the
-       * longest stable one it is that of ε_c = 2s/(kλl). */
+      VoigtVector<dim> of_state; ///< rate η₀ẏ
+      /** Upper bound of the relaxation rate of the stress, times η₀: the
+       * largest eigenvalue of λf/s HK. It bounds K ∂ṙ/∂s, since the second part
+       * of ∂ṙ/∂s = f/s (H + (λ − 1) Hs⊗Hs / sHs) is at most λ − 1 times the
+       * first (Cauchy–Schwarz), with equality along s. Hardening lowers the
+       * rate within a step: at the end of the longest stable step from rest,
+       * ε_c = 2s/(kλl). */
       double of_relaxation;
     };
 
-    /** Creep under a stress where the stiffness is kK.
+    /** Creep rate under a stress, with the stiffness kK.
      *
-     * @param state y, or with κ = c k/η₀ the ŷ of an implicit step y = ŷ + cẏ.
-     */
+     * @param state y; with κ = c k/η₀ > 0, ŷ of an implicit step y = ŷ + cẏ. */
     Rate
     rate(const VoigtVector<dim> &stress,
          const VoigtVector<dim> &state,
          const double            k,
          const double            kappa = 0.) const;
 
-    /** Ω of a stress, see CreepLaw. */
+    /** Potential Ω of a stress, see CreepLaw. */
     CreepLaw::DualPotential
     dual_potential(const VoigtVector<dim> &stress) const;
 
     /**
-     * What the strain e bears at the end of an implicit step: the s of
+     * Stress s for a strain e at the end of an implicit step:
      *
      *     s = kK (e − r),     y = ŷ + c ẏ(s),     κ = c k/η₀.
      *
-     * With a = f κ/k, w = ŵ + (1+m)a and β = w^(1/(1+m)) / (ŵ + a) it is
-     * r = β (R̂ + aN), without hardening r̂ + aN. Then s = kXv with
-     * vᵢ = (Xᵀ(e − βR̂))ᵢ / (1 + ρlᵢ), ρ = βκf/s: one equation for ln s, whose
-     * slope is 1 to λ without hardening.
+     * With a = f κ/k, w = ŵ + (1+m)a and β = w^(1/(1+m)) / (ŵ + a), the creep
+     * strain is r = β (R̂ + aN), without hardening r̂ + aN. Then s = kXv with
+     * vᵢ = (Xᵀ(e − βR̂))ᵢ / (1 + ρlᵢ), ρ = βκf/s: a scalar equation for ln s,
+     * with slopes from 1 to λ without hardening.
      *
      * @param strain e, without thermal strain
      * @param known ŷ
-     * @throw NumericalError if it is not found.
+     * @throw NumericalError if the iteration fails.
      */
     VoigtVector<dim>
     relaxed_stress(const VoigtVector<dim> &strain,
@@ -106,12 +105,12 @@ namespace Crevasse
                    const double            log_kappa) const;
 
     /**
-     * ds/de of that without its factor k, for a stress s that was found:
+     * Derivative ds/de of relaxed_stress() at its result s, without factor k:
      *
      *     X [I + ρ (diag(l) + (λ' − 1) vvᵀ / s²)]⁻¹ Xᵀ,     v = XᵀHs,
      *
-     * symmetric and positive definite, λ' = λ (ŵ + a)/w. With hardening it
-     * takes R̂ as if it were ŵN.
+     * with λ' = λ (ŵ + a)/w; symmetric and positive definite. With hardening
+     * it is an approximation, with ŵN for R̂.
      */
     VoigtMatrix<dim>
     relaxed_stiffness(const VoigtVector<dim> &stress,
@@ -120,14 +119,14 @@ namespace Crevasse
                       const double            log_kappa) const;
 
   private:
-    /** An implicit step that ends with the stress s. */
+    /** Implicit step that ends with the stress s. */
     struct Step
     {
-      double rho;            ///< ρ, at most about a number whose square is one
-      double left_out;       ///< the rest of ln ρ
-      double radial_slope;   ///< λ'
+      double rho;            ///< ρ, limited so that its square is finite
+      double left_out;       ///< part of ln ρ beyond the limit
+      double radial_slope;   ///< slope λ'
       double growth_of_rho;  ///< d ln ρ / d ln s
-      double beta;           ///< β
+      double beta;           ///< factor β
       double growth_of_beta; ///< dβ / d ln s
     };
 

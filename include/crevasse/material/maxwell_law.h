@@ -12,19 +12,19 @@ namespace Crevasse
 {
   /**
    * Stress and creep of Maxwell bodies in parallel (paper, §3 and its
-   * reference [1]), as functions of place, time and temperature θ:
+   * reference [1]), as functions of position, time and temperature θ:
    *
    *     s  = k(t) K (e − f − Σ wᵢ rᵢ),
    *     sᵢ = k(t) wᵢ K (e − f − rᵢ),      ṙᵢ = η₀(t)⁻¹ Hᵢ sᵢ
    *
    * with the free strain f, such as χθ, the stiffness K (symmetric, positive
    * definite; its 33 row and column are zero in plane stress), the fluidities
-   * Hᵢ (symmetric, positive semidefinite) and the fractions wᵢ; 1 − Σ wᵢ is an
-   * elastic spring. One branch with w = 1 is the paper's body, none an elastic
-   * one.
+   * Hᵢ (symmetric, positive semidefinite) and the fractions wᵢ; an elastic
+   * spring has 1 − Σ wᵢ. The paper's body has one branch with w = 1, an elastic
+   * body none.
    *
-   * Creep that is not linear is one branch, with the H of N = Hs/s, see
-   * CreepLaw; where it hardens, CreepPoint tells what stands for r.
+   * Nonlinear creep has one branch, with the H of N = Hs/s (see CreepLaw); with
+   * hardening, the state of CreepPoint replaces r.
    */
   template <int dim>
   class MaxwellLaw
@@ -32,26 +32,26 @@ namespace Crevasse
   public:
     struct Branch
     {
-      double                     fraction; ///< wᵢ
+      double                     fraction; ///< fraction wᵢ
       Property<VoigtMatrix<dim>> fluidity; ///< Hᵢ, in 1/(stress × time)
     };
 
-    /** A part of the strain that the body has without stress. */
+    /** Part of the free strain f. */
     struct FreeStrain
     {
       Property<VoigtVector<dim>> value;      ///< with engineering shears
       bool                       is_thermal; ///< to be multiplied by θ
     };
 
-    /** @throw SceneError if a matrix has not the rows of its dimension. */
+    /** @throw SceneError if the size of a matrix is wrong. */
     explicit MaxwellLaw(const MaterialParameters &parameters);
 
-    /** K, in units of stress, without its factor k(t). */
+    /** Stiffness K, in units of stress, without its factor k(t). */
     const Property<VoigtMatrix<dim>> stiffness;
 
     const std::vector<Branch> branches;
 
-    /** The law of the one branch; null: the branches are linear. */
+    /** Creep law of the single branch; null if the branches are linear. */
     const CreepLaw *const creep;
 
     bool
@@ -60,23 +60,22 @@ namespace Crevasse
       return creep != nullptr && creep->hardens;
     }
 
-    /** Constants of the creep law; without formulas: there is none. */
+    /** Constants of the creep law; without formulas if there is no law. */
     const Property<CreepLaw::Constants> creep_constants;
 
-    /** The parts of f. */
+    /** Parts of the free strain f. */
     std::vector<FreeStrain> free_strains;
 
-    // k(t) and η₀(t). @throw SceneError if they are not positive.
+    // Factors k(t) and η₀(t). @throw SceneError if not positive.
     double
     stiffness_factor(const double t) const;
     double
     viscosity_factor(const double t) const;
 
-    /** Whether stiffness and viscosity have no 33 row. */
+    /** Whether row and column 33 of stiffness and viscosity are zero. */
     const bool plane_stress;
 
-    /** Whether part of the stiffness does not creep: then there is no secular
-     * flow. */
+    /** Whether there is an elastic spring, which excludes secular flow. */
     bool
     has_spring() const
     {
@@ -88,8 +87,7 @@ namespace Crevasse
     }
 
     /**
-     * The τ of a body with H = (τK)⁻¹, one number in space and time; nothing
-     * if it is another body.
+     * Relaxation time τ if H = (τK)⁻¹ with a constant τ; otherwise no value.
      */
     std::optional<double> uniform_relaxation_time;
 

@@ -11,23 +11,22 @@
 namespace Crevasse
 {
   /**
-   * An isotropic elastic body in the plane, in plane stress and plane strain
-   * alike: σ = λ tr ε I + 2μ ε for the four components in the plane. With the
-   * viscosity for the stiffness it is a viscous one, and its displacements are
-   * velocities.
+   * Isotropic elasticity in plane stress or plane strain: σ = λ tr ε I + 2μ ε
+   * for the four components in the plane. With a viscosity as stiffness the
+   * body is viscous, and displacements are velocities.
    */
   class PlaneElasticity
   {
   public:
-    /** @param stiffness for which is_isotropic() holds. */
+    /** @param stiffness must satisfy is_isotropic(). */
     explicit PlaneElasticity(const VoigtMatrix<2> &stiffness)
       : shear_modulus(stiffness[3][3])
       , lambda(stiffness[0][1])
     {
     }
 
-    /** Whether all directions in the plane are alike; what happens across it
-     * does not matter. */
+    /** Whether a stiffness is isotropic in the plane; entries of the third
+     * direction are ignored. */
     static bool
     is_isotropic(const VoigtMatrix<2> &stiffness)
     {
@@ -41,8 +40,8 @@ namespace Crevasse
              vanishes(stiffness[0][0] - stiffness[0][1] - 2. * stiffness[3][3]);
     }
 
-    /** A compliance or fluidity, whose shears are engineering ones, in the form
-     * of a stiffness: isotropic if that is. */
+    /** Compliance or fluidity (with engineering shears), scaled so that
+     * is_isotropic() applies. */
     static VoigtMatrix<2>
     like_stiffness(const VoigtMatrix<2> &compliance)
     {
@@ -52,7 +51,7 @@ namespace Crevasse
       return matrix;
     }
 
-    /** μ */
+    /** Shear modulus μ. */
     double shear_modulus;
 
     /** κ = (λ + 3μ)/(λ + μ): 3 − 4ν in plane strain, (3 − ν)/(1 + ν) in plane
@@ -70,7 +69,7 @@ namespace Crevasse
       return 8. * shear_modulus / (kappa() + 1.);
     }
 
-    /** The strain that a stress in the plane makes, with engineering shears. */
+    /** Strain caused by a stress in the plane, with engineering shears. */
     VoigtVector<2>
     strain(const VoigtVector<2> &s) const
     {
@@ -82,8 +81,8 @@ namespace Crevasse
       return e;
     }
 
-    /** The same of a stress in all directions, and its strain in the third one;
-     * not in plane stress. */
+    /** Strain caused by a stress with a third normal component, including the
+     * strain 33; not for plane stress. */
     VoigtVector<2>
     strain_with_hoops(const VoigtVector<2> &s) const
     {

@@ -23,14 +23,14 @@ namespace Crevasse
   }
 
   /**
-   * A property of the material as a function of place, time and temperature:
-   * formulas, and data computed from their values. The formulas show on what it
-   * depends, and points with equal values share their data.
+   * Property of the material as a function of position, time and temperature:
+   * formulas, and data computed from their values. The formulas determine its
+   * arguments; points with equal values share data.
    */
   template <typename Value>
   struct Property
   {
-    /** What must hold for the values of the formulas. */
+    /** Condition on the values of the formulas. */
     struct Requirement
     {
       std::string name;  ///< "[Material] Young modulus = 1e5*x"
@@ -53,7 +53,7 @@ namespace Crevasse
     }
 
     /** @param values of the formulas at @p place.
-     * @throw SceneError if they miss a requirement. */
+     * @throw SceneError if they violate a requirement. */
     template <int dim>
     Value
     from_values(const std::vector<double> &values,
@@ -70,7 +70,7 @@ namespace Crevasse
       return make(values);
     }
 
-    /** @throw SceneError if it misses a requirement. */
+    /** @throw SceneError if the values violate a requirement. */
     template <int dim>
     Value
     at(const Place<dim> &place) const

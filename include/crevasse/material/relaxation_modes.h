@@ -10,9 +10,9 @@
 
 namespace Crevasse
 {
-  /** The directions in which a stress relaxes alone, as columns of X, and its
-   * rates: K = XXᵀ and XᵀHX = diag(l). In the plane only if the 33 row of K is
-   * zero; then X has none either. */
+  /** Directions in which stress relaxes independently, the columns of X, and
+   * its rates l: K = XXᵀ and XᵀHX = diag(l). If row 33 of K is zero, so is that
+   * of X. */
   template <int dim>
   struct RelaxationModes
   {
@@ -28,8 +28,8 @@ namespace Crevasse
       return *std::max_element(rates.begin_raw(), rates.end_raw());
     }
 
-    VoigtMatrix<dim> directions; ///< X
-    VoigtVector<dim> rates;      ///< l
+    VoigtMatrix<dim> directions; ///< columns of X
+    VoigtVector<dim> rates;      ///< rates l
   };
 } // namespace Crevasse
 

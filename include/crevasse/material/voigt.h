@@ -11,9 +11,9 @@ namespace Crevasse
 {
   /**
    * Symmetric tensors as vectors. In two dimensions the components are
-   * (11, 22, 33, 12): the thickness direction is always carried, because creep
-   * works there even where the stress does not (plane stress) or the strain
-   * does not (plane strain). In three dimensions (11, 22, 33, 12, 13, 23).
+   * (11, 22, 33, 12): 33 is always stored, because a body creeps in thickness
+   * direction also in plane stress (no stress 33) and plane strain (no strain
+   * 33). In three dimensions they are (11, 22, 33, 12, 13, 23).
    * Strains have engineering shear components (e_12 = 2 ε_12), so that the
    * product of stress and strain vectors is the work.
    */
@@ -26,7 +26,7 @@ namespace Crevasse
   template <int dim, typename Number = double>
   using VoigtMatrix = dealii::Tensor<2, n_stress_components<dim>, Number>;
 
-  /** Position of the component (i,j), 0 ≤ i, j < 3. */
+  /** Index of the component (i,j), 0 ≤ i, j < 3. */
   template <int dim>
   constexpr unsigned int
   voigt_index(const unsigned int i, const unsigned int j)
@@ -35,7 +35,7 @@ namespace Crevasse
     return i == j ? i : 2 + i + j;
   }
 
-  /** "11", "22", ...: the names of the components in tables. */
+  /** Name of a component in tables: "11", "22", ... */
   template <int dim>
   const char *
   voigt_name(const unsigned int component)
@@ -44,7 +44,7 @@ namespace Crevasse
     return names[component];
   }
 
-  /** The strain of a displacement gradient, with engineering shears. */
+  /** Strain of a displacement gradient, with engineering shears. */
   template <int dim>
   VoigtVector<dim>
   voigt_strain(const dealii::Tensor<2, dim> &gradient)
@@ -56,7 +56,7 @@ namespace Crevasse
     return strain;
   }
 
-  /** The stress as a 3 × 3 tensor (zero where dim = 2 has no component). */
+  /** Stress as a 3 × 3 tensor; components 13, 23 are zero if dim = 2. */
   template <int dim>
   dealii::SymmetricTensor<2, 3>
   stress_tensor(const VoigtVector<dim> &stress)

@@ -22,7 +22,7 @@ namespace Crevasse
    * slowly as before. A single change says little: a slow approach has small
    * changes far from its limit.
    *
-   * Stress whose rate of relaxation is its n-th power decays like k^(−1/(n−1)):
+   * Stress that relaxes by a power law of exponent n decays like k^(−1/(n−1)):
    * the k-th change is k^(−n/(n−1)), with ratios that tend to 1, and the
    * remaining changes add up to n times Aitken's value in the limit.
    */
@@ -38,8 +38,7 @@ namespace Crevasse
 
     /** Adds the next change, relative to the size of the sequence's terms.
      *
-     * @param counts false for a change from nothing to the first term, which is
-     * not one of the sequence.
+     * @param counts false for the first term itself, which enters no ratio.
      * @return the distance to the limit; nan if there is no ratio yet or the
      * changes do not shrink. */
     double

@@ -15,12 +15,12 @@ namespace Crevasse
    * march() judges by the Contraction of this change and, unless the whole lip
    * continues to open, by the ReturnDefect of the viscous strain.
    *
-   * @param periods which end when the estimated error of the stress, relative
-   * to its maximum, is within their tolerance.
+   * @param periods end when the estimated error of the stress, relative to its
+   * maximum, is within their tolerance.
    * @param slowness 1/(1−λ) with the contraction λ of the slowest point by
-   * itself, by which changes may decrease in the end; 1: unknown.
-   * @param creep_exponent the exponent n of Contraction.
-   * @param r viscous strain at the beginning, and on return at the end.
+   * itself, the final rate of decrease; 1: unknown.
+   * @param creep_exponent exponent n of Contraction.
+   * @param r viscous strain at the beginning; on return, at the end.
    */
   template <int dim>
   void

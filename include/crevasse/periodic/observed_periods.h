@@ -26,8 +26,7 @@ namespace Crevasse
     bool         converged = false; ///< whether periodic, within tolerance
     /** Whether the last two periods had most of their instants in common. */
     bool steps_repeat = true;
-    /** ReturnDefect of the viscous strain over the last period; 0 where it does
-     * not count. */
+    /** ReturnDefect over the last period; 0 if it is ignored. */
     double return_defect = 0.;
 
     // Changes and errors of the stress by period, see PeriodReport.
@@ -75,7 +74,7 @@ namespace Crevasse
       this->is_comparable = is_comparable;
     }
 
-    /** Requires that the viscous strain returns, as it is known to do.
+    /** Requires that the viscous strain is periodic.
      *
      * @param return_defect must outlive the ObservedPeriods. */
     void

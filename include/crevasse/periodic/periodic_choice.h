@@ -9,7 +9,7 @@
 
 namespace Crevasse
 {
-  /** The method by which a run finds its periodic state. */
+  /** Method by which a run finds its periodic state. */
   struct PeriodicChoice
   {
     PeriodicMethodType method              = PeriodicMethodType::march;
@@ -58,8 +58,8 @@ namespace Crevasse
    * than the trapezoidal one); else Anderson acceleration, or march if r may
    * flow in an unknown way. Collective.
    *
-   * @param steps with their jumps marked.
-   * @param largest_relaxation_time if stress relaxes within a period, Anderson
+   * @param steps steps with their jumps set.
+   * @param largest_relaxation_time if less than a tenth of the period, Anderson
    * acceleration needs no start.
    * @throw SceneError if the scene asks for a method that cannot solve it.
    */

@@ -18,11 +18,11 @@ namespace Crevasse
    *     r(T) − r(0) = T η⁻¹ s̄,
    *
    * so an error δs̄ of the mean stress changes r by T η⁻¹ δs̄ (besides T α, if
-   * there is a secular flow). In turn δs̄ is at most K times this change times
-   * τ/T, for which 1/(1−exp(−T/τ)) stands. Where a lip is pressed for a tenth
-   * of the period, which steps resolve, the error of its pressure is ten times
-   * δs̄. Unlike a change of stress, the defect does not vanish where a strain
-   * creeps without stress until the lip closes.
+   * there is a secular flow). Conversely δs̄ is at most K times this change
+   * times τ/T, replaced by 1/(1−exp(−T/τ)). If a lip is closed for a tenth of
+   * the period, the error of its pressure is ten times δs̄. Unlike the change of
+   * stress, the defect does not vanish where a body creeps without stress until
+   * the lip closes.
    */
   template <int dim>
   struct ReturnDefect
@@ -99,7 +99,7 @@ namespace Crevasse
     }
 
     const std::size_t n_points; ///< quadrature points of this rank
-    /** Material that turns strain into stress; if it varies, at one instant. */
+    /** Material that converts strain to stress, at one instant. */
     const MaterialState<dim> &material;
     const SecularFlow        *flow;     ///< secular flow; null: none
     const bool                is_split; ///< whether the strain lacks the flow

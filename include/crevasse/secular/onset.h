@@ -37,7 +37,7 @@ namespace Crevasse
           opening_nodes.push_back({k, rate});
     }
 
-    /** Sees an instant. Collective. */
+    /** Records an instant. Collective. */
     void
     observe(const Sample &sample)
     {
@@ -125,7 +125,7 @@ namespace Crevasse
     }
 
   private:
-    /** A node that the flow opens, β_N > 0. */
+    /** Node that the flow opens, β_N > 0. */
     struct OpeningNode
     {
       unsigned int index; ///< index in the lip

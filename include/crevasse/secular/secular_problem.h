@@ -16,9 +16,9 @@ namespace Crevasse
     Effects::Effect effect;           ///< effect; on: flow is solved for
     bool            is_split = false; ///< whether the run computes q, not u
     Vector          mean_load;        ///< f̄, if needed
-    /** Whether the flow of the steps is known to rounding (in split form: the
-     * flow of the mean load that steps see): then the viscous strain of a
-     * periodic motion returns after a period, except for the flow. */
+    /** Whether the flow of the steps is known to rounding (in split form, for
+     * the mean load of the steps), so that the viscous strain of a periodic
+     * motion, except for the flow, is periodic. */
     bool        strain_returns = false;
     std::string warning; ///< warning for the log, or empty
   };
@@ -33,8 +33,8 @@ namespace Crevasse
    * @param integrator null without viscosity.
    * @param needs_periodic_strain whether the method needs every flow split off.
    * @throw SceneError if [Periodic state] Secular split = on, but the material
-   * has no secular flow that splits off, or the steps see another mean load
-   * than there is.
+   * has no secular flow that splits off, or the mean load of the steps differs
+   * from that of the scene.
    */
   template <int dim>
   SecularSplit

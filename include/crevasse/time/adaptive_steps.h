@@ -9,8 +9,8 @@
 namespace Crevasse
 {
   /**
-   * Makes a method take adaptive steps, whose error of the stress, a part of
-   * the estimate of an embedded method of order 1, is within a tolerance.
+   * Makes a method take adaptive steps that keep the error of the stress, a
+   * part of the estimate of an embedded method of order 1, within a tolerance.
    *
    * The first period finds the steps by a proportional–integral controller
    * (Gustafsson, ACM Trans. Math. Softw. 17, 1991; Hairer and Wanner, Solving
@@ -20,12 +20,12 @@ namespace Crevasse
    * more steps than a later one needs, steps are searched anew, at most three
    * times.
    *
-   * If each length of step has its own matrix, lengths are intervals between
+   * If each step length has its own matrix, lengths are intervals between
    * fixed instants divided by powers of 2, so that few matrices occur.
    *
-   * @param properties of the result.
-   * @param steps whose fixed instants always end steps; they must outlive the
-   * result, which changes them.
+   * @param properties properties of the result.
+   * @param steps changed by the result, which they must outlive; steps always
+   * end at their fixed instants.
    * @param stability_limit see StepControl.
    */
   std::unique_ptr<Integrator>

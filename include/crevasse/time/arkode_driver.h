@@ -60,8 +60,8 @@ namespace Crevasse
     void
     fixed_step(const double step);
 
-    /** Takes a step of this length by ARKODE's own steps: the first has this
-     * length, and is cut if its error exceeds that of control_steps(). */
+    /** Takes a step of this length, which ARKODE divides if its error exceeds
+     * the tolerances of control_steps(). */
     void
     controlled_step(const double step);
 
@@ -125,7 +125,7 @@ namespace Crevasse
     const Context      context;
     double             current_time;
     Vector             current;
-    const View         view;        ///< view of it, as ARKODE keeps a pointer
+    const View         view;        ///< ARKODE's view of `current`
     const Memory       memory;      ///< ARKODE's memory
     const Solver       solver;      ///< solver of implicit stages
     Vector             known, rate; ///< known part, rate of stage

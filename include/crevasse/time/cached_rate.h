@@ -11,9 +11,9 @@ namespace Crevasse
   class StateArchive;
 
   /**
-   * Avoids solving an equation twice for the same instant and r: the state
-   * shown at a sample often is what a method has evaluated last, or evaluates
-   * next. The last evaluation for a method and for a sample are kept.
+   * Avoids solving an equation twice for the same instant and r: a sample often
+   * is the last or the next evaluation of a method. Stores the last evaluation
+   * for a method and for a sample.
    */
   class CachedRate
   {

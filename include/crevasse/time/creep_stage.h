@@ -15,26 +15,25 @@
 namespace Crevasse
 {
   /**
-   * The stage r = r̂ + c ṙ of an implicit scheme where creep is not linear. With
-   * the stress s(e) of CreepPoint::relaxed_stress() at each point the body has
-   * an incremental potential, which is convex without hardening, and
+   * Stage r = r̂ + c ṙ of an implicit scheme with nonlinear creep. With the
+   * stress s(e) of CreepPoint::relaxed_stress() at each point, the solution of
    *
-   *     ∫ Dᵀ s(Dq − f − r̂) − loads = Lᵀ g,     0 ≤ g ⟂ Lq − gap ≥ 0.
+   *     ∫ Dᵀ s(Dq − f − r̂) − loads = Lᵀ g,     0 ≤ g ⟂ Lq − gap ≥ 0
    *
-   * Newton's method, semismooth in contact and stress at once, solves the
-   * variational inequality of moduli C again and again for
+   * minimises an incremental potential, convex without hardening.
+   * Newton's method, semismooth in contact and stress, iterates on the
+   * variational inequality with moduli C and the right-hand side
    *
    *     b(q) = loads + ∫ Dᵀ (kC Dq − s(Dq − f − r̂)),
    *
-   * whose change is the residual of the solution. The same C, with its one
-   * factor, serves for many steps and periods, with Anderson's acceleration of
-   * b; where b changes hardly less than before, C is made anew. Where a step
-   * goes beyond the least potential on its way, it is cut. Where that does not
-   * converge, as with large n after a load at once, solutions of smaller c lead
-   * to that of c.
+   * whose change is the residual of the solution. One factorised C serves many
+   * steps and periods, with Anderson acceleration of b; if b converges slowly,
+   * C is renewed. A step beyond the least potential along its direction is
+   * shortened. If the iteration diverges, as for large n after a sudden load,
+   * stages of smaller c provide starts (continuation).
    *
-   * It starts from the last displacement and what that did between the same
-   * instants of the period before.
+   * The start is the last displacement plus the increment between the same
+   * instants of the previous period.
    */
   template <int dim>
   class CreepStage
@@ -42,8 +41,8 @@ namespace Crevasse
   public:
     /** All arguments must outlive this object.
      *
-     * @param tolerance of the residual, relative to the largest nodal force of
-     * the loads. */
+     * @param tolerance for the residual, relative to the largest nodal force
+     * of the loads. */
     CreepStage(const StrainOperator<dim> &strain_operator,
                const ExternalLoads<dim>  &loads,
                InstantProvider<dim>      &instants,
@@ -53,10 +52,10 @@ namespace Crevasse
      * Solves for displacement, stress and contact forces.
      *
      * @param t instant within the period.
-     * @param[in,out] state the last one; then the solution.
+     * @param[in,out] state last state; on return the solution.
      * @param[out] right_hand_side b
-     * @return what has solved the last variational inequality.
-     * @throw NumericalError with the residual if it does not converge.
+     * @return the solver of the last variational inequality.
+     * @throw NumericalError with the residual if Newton's method fails.
      */
     ContactSolver &
     solve(const double  t,
@@ -65,22 +64,22 @@ namespace Crevasse
           State        &state,
           Vector       &right_hand_side);
 
-    /** ṙ under a stress, such as that of the last solution.
+    /** Computes ṙ under a stress.
      *
-     * @param known r, or r̂ where r = r̂ + c ṙ.
-     * @return the largest relaxation rate of this rank's points. */
+     * @param known r, or r̂ in r = r̂ + c ṙ.
+     * @return the largest relaxation rate at this rank's points. */
     static double
     rates(const InelasticStrain<dim> &known,
           const double                c,
           const Vector               &stress,
           Vector                     &rate);
 
-    /** Shows where the next stages start. */
+    /** Serialises the displacements from which the next stages start. */
     void
     serialize(StateArchive &archive);
 
   private:
-    /** What belongs to the stage that is solved. */
+    /** Data of the current stage. */
     struct Stage
     {
       const double               t, c, log_kappa;
@@ -91,31 +90,31 @@ namespace Crevasse
 
     struct Visit;
 
-    /** Null: there is none. */
+    /** Visit at an instant up to rounding, or null. */
     Visit *
     visit_at(const double t);
 
-    /** Adds what the displacement did at this instant of the last period. */
+    /** Adds the last period's increment from the last stage to @p t. */
     void
     predict(const double t, Vector &displacement);
 
-    /** Keeps the displacement for the next period. */
+    /** Stores the displacement for the next period. */
     void
     keep(const double t, const Vector &displacement);
 
-    /** Sets the stress of the displacement, and b. */
+    /** Computes the stress of the displacement, and b. */
     void
     evaluate(Stage &stage, Vector &right_hand_side);
 
     /** Newton's method from the displacement of the stage.
      *
-     * @param enough Residual that ends it, relative to the largest nodal force.
-     * @throw NumericalError with the residual if it does not converge. */
+     * @param enough sufficient residual, relative to the largest nodal force.
+     * @throw NumericalError with the residual if the iteration fails. */
     ContactSolver &
     iterate(Stage &stage, const double enough, Vector &right_hand_side);
 
-    /** Goes back on the way from the displacement before to the present one,
-     * to about the least potential: where that is falls between them. */
+    /** Shortens the last Newton step to about the least potential along it, if
+     * the potential first decreases. */
     void
     cut_step(Stage &stage);
 
@@ -124,21 +123,21 @@ namespace Crevasse
     InstantProvider<dim>      &instants;
     const double               tolerance;
 
-    Vector forces; ///< of the loads
+    Vector forces; ///< nodal forces of the loads
     Vector excess; ///< kC Dq − s at points
     Vector next;   ///< b of the last displacement
-    Vector before; ///< the displacement before that
+    Vector before; ///< displacement before the last Newton step
 
-    /** A displacement that a stage had in this period or the last one. */
+    /** Displacement of a stage in this period or the last one. */
     struct Visit
     {
       Vector       displacement;
-      unsigned int period = 0; ///< counted from the first stage on
+      unsigned int period = 0; ///< period number, from the first stage
     };
 
-    std::map<double, Visit> path; ///< by instants
-    Vector                  last; ///< that of the stage before; empty: none
-    double                  last_t = 0.; ///< of that stage
+    std::map<double, Visit> path; ///< visits by instant
+    Vector                  last; ///< last period's value at last_t, or empty
+    double                  last_t = 0.; ///< instant of the last stage
     unsigned int            period = 0;
   };
 } // namespace Crevasse

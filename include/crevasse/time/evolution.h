@@ -15,17 +15,17 @@
 namespace Crevasse
 {
   /**
-   * The right-hand side of the ODE (model, §2, and MaxwellLaw): for given
-   * viscous strains rᵢ of the branches, and r = Σ wᵢ rᵢ,
+   * Right-hand side of the ODE (model, §2, and MaxwellLaw): for given viscous
+   * strains rᵢ of the branches, and r = Σ wᵢ rᵢ,
    *
    *     k A q − b(r,t) = Lᵀ g,   0 ≤ g ⟂ L q − gap ≥ 0,
    *     b = ∫ Dᵀ kK (r + χθ) + loads,       s = kK (D q − χθ − r),
    *     ṙᵢ = η₀⁻¹ Hᵢ sᵢ − αᵢ,                sᵢ = k wᵢ K (D q − χθ − rᵢ)
    *
-   * with the secular rates αᵢ of the split form; none in the unsplit one.
-   * Where r is implicit, rᵢ = r̂ᵢ + c ṙᵢ, it is eliminated: the moduli are the
-   * AlgorithmicModuli, and r̂ᵢ − cαᵢ stands for rᵢ. Each evaluation solves one
-   * variational inequality, started from the last solution.
+   * with the secular rates αᵢ of the split form (0 without split). An implicit
+   * rᵢ = r̂ᵢ + c ṙᵢ is eliminated: the moduli are the AlgorithmicModuli, and
+   * r̂ᵢ − cαᵢ replaces rᵢ. Each evaluation solves a variational inequality,
+   * starting from the last solution.
    */
   template <int dim>
   class Evolution : public RateEquation
@@ -48,23 +48,23 @@ namespace Crevasse
       flow = &secular_flow;
     }
 
-    /** From now on times of the equation are brought into the period of these
-     * steps, which must outlive this object. */
+    /** Maps times of the equation into the period of these steps, which must
+     * outlive this object, from now on. */
     void
     repeat(const StepList &steps)
     {
       period = &steps;
     }
 
-    /** A step begins at @p t: where something jumps at its end, it sees what
-     * was before. */
+    /** Marks @p t as the beginning of a step: at a jump at its end, the step
+     * sees values before the jump. */
     void
     begin_step(const double t)
     {
       step_begin = t;
     }
 
-    /** The flow that is split off; null: none. */
+    /** Flow that is split off, or null. */
     const SecularFlow *
     secular_flow() const
     {
@@ -99,8 +99,8 @@ namespace Crevasse
       return elastic_stress;
     }
 
-    /** Whether evaluations repeat to the last bit: rates are linear in the
-     * stress, and the contact solver of the last one is exact. */
+    /** Whether evaluations repeat to the last bit: creep is linear, and the
+     * last contact solver is exact. */
     bool
     repeats_exactly() const
     {
@@ -137,31 +137,30 @@ namespace Crevasse
                                              values);
     }
 
-    /** Makes stress scale and strain per stress those of the largest elastic
-     * stress and of the largest stiffness of each point at these instants.
-     * Collective. */
+    /** Sets stress_scale() by the largest elastic stress, strain_per_stress()
+     * by the largest stiffness of each point, at these instants. Collective. */
     void
     set_scales(const Space<dim> &space, const std::vector<double> &instants);
 
-    /** The state of a body without viscous strain at the instant @p t. */
+    /** Computes the state without viscous strain at the instant @p t. */
     void
     elastic_state(const double t);
 
-    /** What the last evaluation has solved. */
+    /** State that the last evaluation computed. */
     const State &
     state() const
     {
       return last;
     }
 
-    /** b of the last evaluation. */
+    /** Right-hand side b of the last evaluation. */
     const Vector &
     right_hand_side() const
     {
       return loading;
     }
 
-    /** Shows what the last evaluation has solved, where the next one starts. */
+    /** Serialises the last solution, from which the next evaluation starts. */
     void
     serialize(StateArchive &archive)
     {
@@ -176,11 +175,11 @@ namespace Crevasse
     const StrainOperator<dim> &strain_operator;
     const ExternalLoads<dim>  &loads;
     InstantProvider<dim>      &instants;
-    const SecularFlow         *flow       = nullptr; ///< none: unsplit
-    const StepList            *period     = nullptr; ///< none: any time
+    const SecularFlow         *flow       = nullptr; ///< null: unsplit
+    const StepList            *period     = nullptr; ///< null: any time
     double                     step_begin = 0.;
 
-    /** The instant within the period at which @p t is evaluated. */
+    /** Instant within the period at which @p t is evaluated. */
     double
     instant_of(const double t) const
     {
@@ -190,64 +189,63 @@ namespace Crevasse
                                                    : period->within_period(t);
     }
 
-    /** Solves for q with a given viscous strain; empty: none. */
+    /** Solves for q with a given viscous strain, or none if it is empty. */
     void
     solve_explicitly(const double        t,
                      const Instant<dim> &instant,
                      const Vector       &r);
 
-    /** Solves the variational inequality for q with the right-hand side that
-     * was made.
+    /** Solves the variational inequality for q with the right-hand side b.
      *
-     * @param k the factor of the contact solver's stiffness. */
+     * @param k factor of the contact solver's stiffness. */
     void
     solve(ContactSolver &contact_solver, const double k);
 
-    /** r̂ᵢ − cαᵢ of the point and branch whose strain is at @p place. */
+    /** Known strain r̂ᵢ − cαᵢ of the point and branch at offset @p place. */
     VoigtVector<dim>
     known_strain(const Vector     &known,
                  const std::size_t place,
                  const double      c) const;
 
-    /** Stress and rates for the last displacement.
+    /** Computes stress and rates for the last displacement.
      *
-     * @param branch_stress sᵢ/k of (point, branch i, place of its strain,
-     * e − χθ). */
+     * @param branch_stress sᵢ/k as a function of point, branch i, offset of its
+     * strain, and e − χθ. */
     template <typename BranchStress>
     void
     stress_and_rates(const InelasticStrain<dim> &inelastic,
                      const BranchStress         &branch_stress,
                      Vector                     &rate);
 
-    /** The same with r implicit, for the last displacement. */
+    /** Computes stress and rates for the last displacement if r is implicit. */
     void
     implicit_rates(const ImplicitInstant<dim> &instant,
                    const Vector               &known,
                    const double                c,
                    Vector                     &rate);
 
-    /** Stress of the last displacement. */
+    /** Computes the stress of the last displacement. */
     void
     set_stress(const InelasticStrain<dim> &inelastic);
 
-    /** Stress and rate of one Maxwell body that is the same everywhere. */
+    /** Computes stress and rate of a homogeneous body with one branch. */
     void
     plain_rate(const MaterialState<dim> &material,
                const Vector             &r,
                Vector                   &rate);
 
-    ContactSolver *last_solver = nullptr; ///< of the last evaluation
+    ContactSolver *last_solver = nullptr; ///< solver of the last evaluation
 
     // See set_scales().
     double              elastic_stress = 0.;
     std::vector<double> stress_scales; ///< √(dV/V) |kK| of each point
-    std::vector<double> fractions;     ///< wᵢ
+    std::vector<double> fractions;     ///< fractions wᵢ
 
-    /** Of this rank's points in the last evaluation: see relaxation_rate();
-     * negative: the stress has no say. */
+    /** Largest relaxation rate at this rank's points in the last evaluation;
+     * negative if creep is linear. */
     double fastest = -1.;
 
-    std::size_t evaluations = 0; ///< by this object
+    std::size_t evaluations = 0; ///< evaluations by this object
 
     State  last;
     Vector loading;

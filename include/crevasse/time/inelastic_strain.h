@@ -8,7 +8,7 @@
 
 namespace Crevasse
 {
-  /** The strains of a material that are not elastic, at one point. */
+  /** Viscous and thermal strains at the quadrature points. */
   template <int dim>
   class InelasticStrain
   {
@@ -16,7 +16,7 @@ namespace Crevasse
     using Field                     = QuadratureField<dim>;
     static constexpr unsigned int n = Field::n_components;
 
-    /** @param r empty: there is no viscous strain. */
+    /** @param r viscous strain, empty if there is none. */
     InelasticStrain(const MaterialState<dim> &material, const Vector &r)
       : material(material)
       , r(r)
@@ -30,7 +30,7 @@ namespace Crevasse
       return offset * n_branches + i * n;
     }
 
-    /** χθ */
+    /** Thermal strain χθ. */
     VoigtVector<dim>
     thermal(const std::size_t offset) const
     {
@@ -39,7 +39,7 @@ namespace Crevasse
                : (*material.thermal_strain)[offset / n];
     }
 
-    /** rᵢ */
+    /** Viscous strain rᵢ of branch @p i. */
     VoigtVector<dim>
     branch(const std::size_t offset, const unsigned int i) const
     {
@@ -48,7 +48,7 @@ namespace Crevasse
                               : state;
     }
 
-    /** Σ wᵢ rᵢ + χθ */
+    /** Inelastic strain Σ wᵢ rᵢ + χθ. */
     VoigtVector<dim>
     operator()(const std::size_t offset) const
     {

@@ -9,37 +9,37 @@
 
 namespace Crevasse
 {
-  /** What an evaluation at one instant works with. */
+  /** Material and contact solver for an evaluation at one instant. */
   template <int dim>
   struct Instant
   {
     const MaterialState<dim> &material;
-    /** Of the stiffness without its factor k. */
+    /** Contact solver for the stiffness without its factor k. */
     ContactSolver &contact_solver;
   };
 
-  /** The same where the viscous strain is implicit. */
+  /** Data for an evaluation at one instant with implicit viscous strain. */
   template <int dim>
   struct ImplicitInstant
   {
     const MaterialState<dim>     &material;
     const AlgorithmicModuli<dim> &moduli;
-    /** Of the sum of these moduli; null if only the material is implicit. */
+    /** Contact solver for the sum of the moduli; null if only the material is
+     * implicit. */
     ContactSolver *contact_solver;
   };
 
-  /** What Newton's method works with where nonlinear creep is implicit. */
+  /** Tangent of Newton's method for implicit nonlinear creep. */
   template <int dim>
   struct Tangent
   {
-    /** ds/de without its factor k: that of some stress, see
-     * CreepPoint::relaxed_stiffness(). */
+    /** Moduli CreepPoint::relaxed_stiffness() at some stress. */
     const PointValues<VoigtMatrix<dim>> *moduli;
-    ContactSolver                       *contact_solver; ///< of these moduli
+    ContactSolver                       *contact_solver; ///< solver for moduli
   };
 
-  /** Provides these for any instant of the period. They last until the next
-   * call. */
+  /** Provides material, moduli and contact solver for any instant of the
+   * period. They are valid until the next call. */
   template <int dim>
   class InstantProvider
   {
@@ -52,30 +52,29 @@ namespace Crevasse
     virtual const MaterialState<dim> &
     material_at(const double t) = 0;
 
-    /** For r = r̂ + c ṙ. */
+    /** Data for an implicit r = r̂ + c ṙ. */
     virtual ImplicitInstant<dim>
     implicit_at(const double t, const double c) = 0;
 
-    /** The same without contact solver. */
+    /** Data for r = r̂ + c ṙ without contact solver. */
     virtual ImplicitInstant<dim>
     implicit_material_at(const double t, const double c) = 0;
 
-    /** The tangent that was made last, by renew_tangent() with these arguments
-     * if there is none. */
+    /** Last tangent, or a new one by renew_tangent() if there is none. */
     virtual Tangent<dim>
     tangent_at(const double  t,
                const double  c,
                const Vector &stress,
                const Vector &known) = 0;
 
-    /** Makes the moduli of this stress, for r = r̂ + c ṙ of a known r̂. */
+    /** Computes the tangent at a stress, for r = r̂ + c ṙ with known r̂. */
     virtual Tangent<dim>
     renew_tangent(const double  t,
                   const double  c,
                   const Vector &stress,
                   const Vector &known) = 0;
 
-    /** How the material relaxes over a time c, as at @p t. */
+    /** Relaxation of the material at @p t over a time c. */
     virtual const RelaxationFunctions<dim> &
     relaxation_at(const double t, const double c) = 0;
 

@@ -21,7 +21,7 @@ namespace Crevasse
     std::vector<double> weights; ///< empty: no such rule
   };
 
-  /** Counts of what an integrator has done, by name. */
+  /** Counters of an integrator, by name. */
   using IntegratorStatistics = std::vector<std::pair<std::string, std::size_t>>;
 
   constexpr double no_stability_limit = std::numeric_limits<double>::infinity();
@@ -47,7 +47,7 @@ namespace Crevasse
     bool repeats_steps = true;
   };
 
-  /** A step from (t, r), which was the last start, to t + length. Several
+  /** Step from (t, r), given to Integrator::start(), to t + length. Several
    * lengths may be tried from one start. */
   struct TimeStep
   {

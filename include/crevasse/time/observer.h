@@ -37,8 +37,8 @@ namespace Crevasse
      * samples and quadrature points, relative to the largest stress. The first
      * period is compared with the unstressed state before it. */
     double stress_change;
-    /** Distance of this stress to the periodic one, estimated by the method of
-     * the search; nan if unknown. */
+    /** Estimated distance to the periodic stress, by the method of the search;
+     * nan if unknown. */
     double      stress_error_estimate;
     double      largest_stress;
     std::size_t vi_solves; ///< solves in this period
@@ -54,8 +54,8 @@ namespace Crevasse
     virtual void
     observe(const Sample &sample) = 0;
 
-    /** Sees the end of a step where loads or material jump, as they are just
-     * before; observe() sees what comes after. */
+    /** Receives the state just before a jump of loads or material at the end of
+     * a step; observe() receives the state after it. */
     virtual void
     before_jump(const Sample &)
     {

@@ -16,12 +16,12 @@ namespace Crevasse
   public:
     virtual ~RateEquation() = default;
 
-    /** f(r,t) */
+    /** Computes f(r,t). */
     virtual void
     rate(const double t, const Vector &r, Vector &rate) = 0;
 
     /**
-     * f(r,t) for the r that satisfies r = r̂ + c f(r,t): the stage of a
+     * Computes f(r,t) for the solution r of r = r̂ + c f(r,t): the stage of a
      * diagonally implicit method, with c = γΔt > 0.
      *
      * @param known r̂
@@ -33,8 +33,8 @@ namespace Crevasse
                   Vector       &rate) = 0;
 
     /**
-     * The same with the displacement of a predicted r instead of that of r:
-     * only the material is implicit, and A stays what it is.
+     * Computes implicit_rate() with the displacement of a predicted r: only
+     * the material is implicit, and A does not change.
      */
     virtual void
     semi_implicit_rate(const double  t,
@@ -43,42 +43,40 @@ namespace Crevasse
                        const double  c,
                        Vector       &rate) = 0;
 
-    /** How each point relaxes over a time c where the strain is held: v ←
-     * φ(−cL) v, φ₁ or φ₂ by @p order, with L(t) = k w/η₀ HK. */
+    /** Applies the relaxation of each point over a time c at constant strain:
+     * v ← φ(−cL) v, φ₁ or φ₂ by @p order, with L(t) = k w/η₀ HK. */
     virtual void
     apply_relaxation(const unsigned int order,
                      const double       t,
                      const double       c,
                      Vector            &values) = 0;
 
-    /** The largest stress of the elastic body over a period, in the root mean
-     * square over its volume: what tolerances are relative to. */
+    /** Largest root mean square over the volume of the elastic stress in a
+     * period: the reference of relative tolerances. */
     virtual double
     stress_scale() const = 0;
 
-    /** For each entry of r what it takes to change the root mean square of the
-     * stress over the volume by 1 where the strain is held: the norm of an
-     * error of r divided by this is the error of the stress. (At a crack tip
-     * the largest stress depends on the mesh, and of nonlinear creep it relaxes
-     * at once.)
+    /** Computes the change of each entry of r that changes the root mean square
+     * of the stress over the volume by 1 at constant strain: the norm of an
+     * error of r, divided by the scale, is the error of the stress. (The
+     * largest stress would depend on the mesh at a crack tip.)
      *
-     * @param[out] scale with the layout of r; given its size here. */
+     * @param[out] scale values in the layout of r; resized here. */
     virtual void
     strain_per_stress(const Vector &r, Vector &scale) const = 0;
 
-    /** The largest rate at which the stress of the last evaluation relaxes
-     * where the strain is held, if that depends on the stress; otherwise 0, for
-     * the material tells it beforehand. Collective. */
+    /** Largest relaxation rate at constant strain in the last evaluation, if it
+     * depends on the stress; otherwise 0. Collective. */
     virtual double
     relaxation_rate() const = 0;
 
-    /** How often the equation was evaluated. */
+    /** Number of evaluations of the equation. */
     virtual std::size_t
     n_evaluations() const = 0;
 
-    /** φ = u_N − gap − κg of each contact node of this rank in the last
-     * evaluation, κ > 0: positive where the lip is open, negative where it is
-     * closed, continuous in between. */
+    /** Computes φ = u_N − gap − κg, κ > 0, of each contact node of this rank in
+     * the last evaluation: positive where the lip is open, negative where it is
+     * closed, continuous in time. */
     virtual void
     switching_functions(std::vector<double> &values) const = 0;
   };

@@ -12,14 +12,14 @@
 
 namespace Crevasse
 {
-  /** An integrator that takes the steps of a period by a method, and checks
-   * before each whether it is stable. */
+  /** Integrator that takes the steps of a period by a method, after checking
+   * the stability of each step. */
   class StepControl : public Integrator
   {
   public:
     /** @param steps must outlive the StepControl.
-     * @param stability_limit of the method, if the relaxation rate depends on
-     * the stress: the longest step is this limit over that rate. */
+     * @param stability_limit limit of the method if the relaxation rate depends
+     * on the stress: the longest step is limit / rate. */
     StepControl(std::unique_ptr<Integrator> &&method,
                 const IntegratorProperties   &properties,
                 StepList                     &steps,
@@ -83,12 +83,11 @@ namespace Crevasse
     const double stability_limit;
   };
 
-  /** Makes a method take the steps that a scene asks for.
-   * @param steps must outlive the result, which changes them if they are
-   * adaptive.
-   * @param smallest_relaxation_time limits adaptive steps, which are at most as
-   * long as those of Steps per period.
-   * @throw NumericalError if steps to be checked exceed the stability limit. */
+  /** Makes a method take the steps of a scene.
+   * @param steps must outlive the result, which changes adaptive steps.
+   * @param smallest_relaxation_time limits adaptive steps, besides Steps per
+   * period.
+   * @throw NumericalError if fixed steps exceed the stability limit. */
   std::unique_ptr<Integrator>
   control_steps(std::unique_ptr<Integrator>    &&method,
                 const TimeIntegrationParameters &parameters,

@@ -59,7 +59,7 @@ namespace Crevasse
     bool
     jumps_at(const double t) const;
 
-    /** An instant so little before @p t that only jumps make a difference. */
+    /** Instant just before @p t, for values before a jump. */
     double
     just_before(const double t) const
     {
