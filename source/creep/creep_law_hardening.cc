@@ -12,7 +12,7 @@ namespace Crevasse
       power_law().parameters_and(
         {"Hardening exponent",
          "0",
-         "m, the power of the creep strain that divides the creep rate; it "
+         "Exponent m of the creep strain, whose power divides the creep rate; "
          "must not depend on t or theta",
          {0., 20., "at least 0 and at most 20"}}),
       power_law().response,

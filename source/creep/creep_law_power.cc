@@ -34,12 +34,12 @@ namespace Crevasse
     static const CreepLaw law = {
       {{"Creep coefficient",
         "1",
-        "A, the factor of the creep rate, see Viscosity, in units that make "
-        "the rate one of 1 / time",
+        "Factor A of the creep rate, see Viscosity, in units that give a rate "
+        "in 1 / time",
         Ranges::coefficient},
        {"Creep exponent",
         "1",
-        "n, the power of the stress in the creep rate",
+        "Exponent n of the stress in the creep rate",
         Ranges::creep_exponent}},
       response,
       dual_potential};

@@ -63,8 +63,8 @@ namespace Crevasse
     static const CreepLaw law = {power_law().parameters_and(
                                    {"Reference stress",
                                     "1",
-                                    "s0 of the hyperbolic sine, in units of "
-                                    "stress",
+                                    "Stress s0 in the hyperbolic sine, in "
+                                    "units of stress",
                                     Ranges::positive}),
                                  sine_response,
                                  sine_dual_potential};

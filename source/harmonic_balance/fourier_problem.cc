@@ -37,8 +37,8 @@ namespace Crevasse
                         effects.varying_viscosity.why + instead);
       if (body.law.creep != nullptr)
         found.emplace_back(
-          "creep that is not linear has no harmonics of its own; use "
-          "[Periodic state] Method = march");
+          "nonlinear creep couples the harmonics; use [Periodic state] "
+          "Method = march");
       if (body.law.has_spring())
         found.push_back(
           "the fractions of [Material] Chain have a sum below 1, and the "

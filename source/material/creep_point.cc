@@ -251,9 +251,9 @@ namespace Crevasse
           x = 0.5 * (std::max(below, x - 2.) + std::min(above, x + 2.));
       }
     throw NumericalError(
-      "The stress that creep leaves after an implicit step was not found at a "
-      "point. Take shorter steps, or look at [Material] Creep coefficient and "
-      "its units.");
+      "The iteration for the stress of an implicit creep step did not converge "
+      "at a point. Take shorter steps, or check [Material] Creep coefficient "
+      "and its units.");
   }
 
 

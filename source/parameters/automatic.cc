@@ -25,7 +25,7 @@ namespace Crevasse
         return "[Boundary] Contact or Symmetry differs from the default of the "
                "shape";
       if (scene.material.creep_law() != nullptr)
-        return "creep that is not linear has another singularity";
+        return "nonlinear creep changes the singularity";
       if (scene.refinement.readapt_every > 0)
         return "[Refinement] Readapt every = " +
                std::to_string(scene.refinement.readapt_every);

@@ -89,7 +89,7 @@ namespace Crevasse
       if (!roles.has_lip())
         return "no boundary has the role Contact or Crack";
       if (scene.material.creep_law() != nullptr)
-        return "creep is not linear in the stress: see [Crack tip] Creep "
+        return "creep is nonlinear in the stress: see [Crack tip] Creep "
                "integral";
       if (scene.is_axisymmetric() && !creeps_in_proportion(scene.material))
         return "the body is axisymmetric, and its viscosity is not "

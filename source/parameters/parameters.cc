@@ -201,7 +201,7 @@ namespace Crevasse
     viscous_poisson_ratio.add_parameter(
       "Viscous Poisson ratio",
       "Ratio of lateral to axial viscous strain under uniaxial tension; with "
-      "0.5 viscous flow keeps the volume. Allowed: a number of at least "
+      "0.5 viscous flow preserves volume. Allowed: a number of at least "
       "-0.999, at most 0.5" +
         formula,
       prm);

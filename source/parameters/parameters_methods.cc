@@ -180,8 +180,8 @@ namespace Crevasse
     prm.add_parameter(
       "Newton tolerance",
       newton_tolerance,
-      "Where creep that is not linear is implicit: largest residual of "
-      "equilibrium, relative to the largest nodal force of the loads.",
+      "Largest residual of equilibrium in implicit stages of nonlinear creep, "
+      "relative to the largest nodal force of the loads.",
       NumberPattern({1e-13, Ranges::below_1, "at least 1e-13, less than 1"}));
     prm.add_parameter("Order",
                       order,
@@ -236,10 +236,10 @@ namespace Crevasse
     prm.add_parameter(
       "Creep integral",
       creep_integral,
-      "Whether creep_integral.csv has the integral C(t) of each step, in the "
-      "plane where creep is not linear and does not harden, or "
-      "creep_integral_1.csv, creep_integral_2.csv, ... those of each tip of "
-      "cracks with two lips. In steady creep it is C*.");
+      "Whether to write the integral C(t) at each step to creep_integral.csv, "
+      "or to creep_integral_1.csv, creep_integral_2.csv, ... for each tip of "
+      "cracks with two lips. Needs nonlinear creep without hardening, and "
+      "plane stress or plane strain. In steady creep C(t) is C*.");
     add_selection("Method", method, prm);
     prm.add_parameter(
       "Radius",

@@ -96,8 +96,8 @@ namespace Crevasse
                        "Stress intensity",
                        "must be false with [Material] Viscosity = " +
                          name_of(scene.material.viscosity) +
-                         ": K does not describe the stress at a tip where "
-                         "creep is not linear in the stress. Set Creep "
+                         ": K does not describe the stress at a crack tip "
+                         "if creep is nonlinear in the stress. Set Creep "
                          "integral = true");
       crack_tip.demand(is_linear ||
                          scene.crack_tip.growth_law == GrowthLawType::none ||
@@ -112,10 +112,10 @@ namespace Crevasse
                           !scene.material.creep_law()->hardens &&
                           singular_functions(scene).n == 0),
                        "Creep integral",
-                       "is for creep that is not linear and does not harden, "
-                       "such as [Material] Viscosity = power law, in plane "
-                       "stress or strain, with [Discretisation] Singular "
-                       "functions = 0");
+                       "needs nonlinear creep without hardening, such as "
+                       "[Material] Viscosity = power law, plane stress or "
+                       "plane strain, and [Discretisation] Singular functions "
+                       "= 0");
       if (!scene.is_axisymmetric())
         return;
       crack_tip.demand(scene.crack_tip.method !=

@@ -111,7 +111,7 @@ namespace Crevasse
         {"Boundary/Gap", !has_contact, no_contact},
         {"Time integration/Newton tolerance",
          !implicit || scene.material.creep_law() == nullptr,
-         "no stage of creep that is not linear is implicit"},
+         "there is no implicit stage of nonlinear creep"},
         {"Contact/Solver, Relaxation factor", !has_contact, no_contact},
         {"Time integration/Locate contact events", !has_contact, no_contact},
         {"Contact/Relaxation factor", !solver.has(Trait::relaxes), of_solver},

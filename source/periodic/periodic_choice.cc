@@ -122,15 +122,15 @@ namespace Crevasse
       if (choice.method == Method::anderson && body.law.hardens())
         throw SceneError(choice.why +
                          ": the creep strain that hardens the body never "
-                         "falls, so that nothing but its stress may be "
-                         "periodic. Use Method = march, which looks at it.");
+                         "decreases, so that only the stress may be periodic. "
+                         "Use Method = march, which checks the stress.");
       if (choice.method == Method::anderson && body.law.creep != nullptr &&
           has_mean_load(body, steps))
         throw SceneError(
           choice.why +
-          ": under a mean load a body whose creep is not linear flows on from "
-          "period to period, so that no viscous strain is periodic. Use Method "
-          "= march, which looks at the stress.");
+          ": under a mean load the strain of nonlinear creep grows from period "
+          "to period, so that only the stress may be periodic. Use Method = "
+          "march, which checks the stress.");
       return choice;
     }
   } // namespace

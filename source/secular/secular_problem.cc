@@ -217,8 +217,8 @@ namespace Crevasse
     if (body.law.has_spring())
       return "the elastic spring of the chain bears the mean load";
     if (body.law.creep != nullptr)
-      return "creep that is not linear under the mean load is not the mean "
-             "creep";
+      return "the mean of nonlinear creep is not the creep under the mean "
+             "load";
     if (body.material.fluidity_varies)
       return "the viscosity varies in time, and not by [Material] Viscosity "
              "time factor alone";

@@ -78,7 +78,7 @@ namespace Crevasse
         (dim == 3 || scene.material.plane_state != PlaneState::plane_stress))
       all.emplace_back(
         "[Material] Viscosity = " + name_of(scene.material.viscosity) +
-        " keeps the volume, so that elements lock: set [Discretisation] "
+        " preserves volume, so that elements lock: set [Discretisation] "
         "Volumetric strain = mean and Degree = 1");
     if (run.steps.jumps_at(run.steps.period()) && !formulas_can_jump(run.scene))
       all.push_back(

@@ -83,9 +83,9 @@ namespace Crevasse
       return rate > 0. ? stability_limit / rate : no_stability_limit;
     throw NumericalError(Text::Message()
                          << "The stress relaxes at the rate " << rate
-                         << " at t = " << step.t << ": that takes more than "
+                         << " at t = " << step.t << ", which needs more than "
                          << most_steps << " steps of " << properties.name
-                         << " in a period. Check [Material] Creep coefficient, "
+                         << " a period. Check [Material] Creep coefficient, "
                             "[Loads] and their units.");
   }
 
@@ -106,7 +106,7 @@ namespace Crevasse
     message << "The time step " << length << " from t = " << step.t
             << " on is too large: " << properties.name
             << " is stable with steps of at most " << longest
-            << " where the stress relaxes as fast as here. ";
+            << " at the current relaxation rate of the stress. ";
     // Earlier steps that were too long may have caused this stress.
     if (n_needed > most_steps)
       message << "The elastic stress needs more than " << most_steps
@@ -114,7 +114,7 @@ namespace Crevasse
                  "coefficient and of [Loads], or choose ";
     else if (n_needed > steps.n_steps())
       message << "The elastic stress needs at least " << n_needed
-              << " [Time integration] Steps per period. Take so many, or "
+              << " [Time integration] Steps per period. Set this number, or "
                  "choose Step control = adaptive or ";
     else
       message << "The stress is larger than the elastic stress, so that no "

@@ -303,9 +303,9 @@ def test_refusals():
         file.write(BAR)
     hard = hardening(1e-12, 3, 1.)
     for settings, words in (
-            ([*hard, "Periodic state/Method=anderson"], "never falls"),
-            ([*hard, "Periodic state/Method=fourier"], "no harmonics of its own"),
-            ([*hard, "Crack tip/Creep integral=true"], "does not harden"),
+            ([*hard, "Periodic state/Method=anderson"], "never decreases"),
+            ([*hard, "Periodic state/Method=fourier"], "couples the harmonics"),
+            ([*hard, "Crack tip/Creep integral=true"], "without hardening"),
             (hardening(1e-12, 3, "1 + t/600"), "must not depend on t"),
             (hardening(1e-12, 3, -1), "at least 0"),
             ([*sine(1e-12, 3, 1.), "Time integration/Scheme=trapezoid"],

@@ -69,7 +69,7 @@ CHOICES = {
     "multigrid": (["Linear solver/Type=gmg", "Geometry/Subdivisions=4, 4",
                    "Geometry/Refinements=2"], False, True, "Type = gmg"),
     "creep": (["Material/Viscosity=power law", "Material/Creep coefficient=1e-9",
-               "Material/Creep exponent=3"], False, False, "not linear"),
+               "Material/Creep exponent=3"], False, False, "nonlinear"),
     "revolution": (["Material/Plane state=axisymmetric",
                     "Geometry/Shape=centre crack"], False, True, "axisymmetric"),
     "no lip": (["Boundary/Contact=none"], False, False, "Contact"),

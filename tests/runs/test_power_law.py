@@ -384,14 +384,14 @@ def test_adaptive_start():
 def test_refusals():
     """What is known of linear creep alone is refused, with what to take."""
     for settings, words in (
-            (["Periodic state/Method=fourier"], "no harmonics of its own"),
-            (["Periodic state/Secular split=on"], "not the mean creep"),
+            (["Periodic state/Method=fourier"], "couples the harmonics"),
+            (["Periodic state/Secular split=on"], "the mean of nonlinear creep"),
             (["Periodic state/Method=anderson", "Loads/Traction=0; 10"],
-             "flows on from period to period"),
+             "grows from period to period"),
             (["Time integration/Scheme=exponential"], "sdirk2 for long steps"),
             (["Time integration/Scheme=trapezoid"], "oscillates instead of relaxing"),
             (["Time integration/Newton tolerance=0"], "at least 1e-13"),
-            (["Crack tip/Stress intensity=true"], "creep is not linear in the stress")):
+            (["Crack tip/Stress intensity=true"], "creep is nonlinear in the stress")):
         with open("bar.prm", "w", encoding="utf-8") as file:
             file.write(BAR)
         status, _, error = execute("bar.prm", "--output", "results/refused",

@@ -126,7 +126,7 @@ namespace Crevasse
     std::vector<FreeStrain>
     free_strains() const;
 
-    /** Null: creep is linear, or there is none. */
+    /** Nonlinear creep law, or null. */
     const CreepLaw *
     creep_law() const
     {

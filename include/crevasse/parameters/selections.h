@@ -84,7 +84,7 @@ namespace Crevasse
     {
       ViscosityType value;
       const char   *name;
-      /** Null: creep is linear, or there is none. */
+      /** Creep law, or null if creep is linear or absent. */
       const CreepLaw &(*creep_law)();
     };
     static constexpr Row rows[] = {
@@ -101,8 +101,8 @@ namespace Crevasse
       "stiffness (without its time factor) times Relaxation time; "
       "\"isotropic\" builds it from Viscous modulus and Viscous Poisson ratio; "
       "\"matrix\" is Viscosity matrix; \"chain\" puts several such bodies in "
-      "parallel; \"none\" is an elastic body. The others keep the volume, and "
-      "creep under tension at the rate Creep coefficient times: \"power law\" "
+      "parallel; \"none\" is an elastic body. Nonlinear laws preserve volume; "
+      "their rate under tension is Creep coefficient times: \"power law\" "
       "stress ^ Creep exponent; \"hyperbolic sine\" sinh(stress / Reference "
       "stress) ^ Creep exponent; \"strain hardening\" stress ^ Creep exponent "
       "/ (creep strain ^ Hardening exponent).";

@@ -153,8 +153,8 @@ namespace Crevasse
       "corrector\" of order 2, implicit in the material alone. Without limit: "
       "\"exponential\" of order 2, exact where the strain is held, \"sdirk2\" "
       "of order 2, implicit, and \"trapezoid\" of order 2, implicit, in which "
-      "fast components oscillate instead of decaying: it is refused for creep "
-      "that is not linear. \"arkode explicit\" and \"arkode implicit\" are "
+      "fast components oscillate instead of decaying: it is refused for "
+      "nonlinear creep. \"arkode explicit\" and \"arkode implicit\" are "
       "methods of the library ARKODE, of the Order given. \"automatic\" is "
       "\"trapezoid\" where all instants are solved for "
       "at once (see Periodic state/Method), otherwise \"sdirk2\".";

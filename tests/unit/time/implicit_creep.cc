@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Crevasse authors
 
-// Creep that is not linear over an implicit step at one point: the stress
+// Nonlinear creep over an implicit step at one point: the stress
 // satisfies its equation, and its moduli are its derivative.
 
 #include <crevasse/base/text.h>
