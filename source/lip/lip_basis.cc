@@ -92,7 +92,7 @@ namespace Crevasse
           found != renumbered.end())
         node.unknown = found->second;
     set_weights(surroundings);
-    choose_masters(surroundings);
+    choose_masters();
     number_lips(surroundings);
   }
 
@@ -309,7 +309,7 @@ namespace Crevasse
 
   template <int dim>
   void
-  LipBasis<dim>::choose_masters(const Surroundings &surroundings)
+  LipBasis<dim>::choose_masters()
   {
     std::map<unsigned int, std::pair<double, unsigned int>> nearest;
     for (const auto &on_face : nodes_of_faces)

@@ -129,7 +129,7 @@ namespace Crevasse
 
     /** Chooses masters of nodes without weight. */
     void
-    choose_masters(const Surroundings &surroundings);
+    choose_masters();
 
     void
     number_lips(const Surroundings &surroundings);
