@@ -376,7 +376,7 @@ namespace Crevasse
 
   template <int dim>
   void
-  MaterialField<dim>::exchange_states(const bool to_strains, Vector &r) const
+  MaterialField<dim>::convert(const Conversion conversion, Vector &r) const
   {
     using Field = QuadratureField<dim>;
     if (!law.hardens())
@@ -384,11 +384,8 @@ namespace Crevasse
     const auto creep = at(0.).creep;
     for (std::size_t p = 0; p < n_points; ++p)
       {
-        const VoigtVector<dim> here = Field::get(r, p * Field::n_components);
-        Field::set(r,
-                   p * Field::n_components,
-                   to_strains ? (*creep)[p].strains(here)
-                              : (*creep)[p].state(here));
+        const std::size_t place = p * Field::n_components;
+        Field::set(r, place, ((*creep)[p].*conversion)(Field::get(r, place)));
       }
   }
 

@@ -92,7 +92,7 @@ namespace Crevasse
     const StressEstimator<dim> &estimator  = on_mesh->estimate->estimator;
     const double                error      = estimator.relative_error();
 
-    old.material.exchange_states(true, state.viscous_strain);
+    old.material.convert(&CreepPoint<dim>::strains, state.viscous_strain);
     const FieldNorms<dim> before =
       field_norms(old.space, state.viscous_strain, n_branches);
     if (scene.refinement.tolerance == 0. || error > scene.refinement.tolerance)
@@ -125,7 +125,7 @@ namespace Crevasse
                   state.viscous_strain);
     const FieldNorms<dim> after =
       field_norms(body.space, state.viscous_strain, n_branches);
-    body.material.exchange_states(false, state.viscous_strain);
+    body.material.convert(&CreepPoint<dim>::state, state.viscous_strain);
 
     const Summary sizes = sizes_of(body);
     log.line(

@@ -118,7 +118,7 @@ namespace Crevasse
         if (!body.law.hardens())
           return r.linfty_norm();
         Vector strains = r;
-        body.material.exchange_states(true, strains);
+        body.material.convert(&CreepPoint<dim>::strains, strains);
         return strains.linfty_norm();
       }
 

@@ -94,10 +94,13 @@ namespace Crevasse
     MaterialState<dim>
     at(const double t) const;
 
-    /** Turns states of creep that hardens into the r + ε_c I of CreepPoint, or
-     * back; r of other laws remains. Collective. */
+    using Conversion =
+      VoigtVector<dim> (CreepPoint<dim>::*)(const VoigtVector<dim> &) const;
+
+    /** Converts an r of creep that hardens at all points, by
+     * CreepPoint::strains() or, back, CreepPoint::state(). Collective. */
     void
-    exchange_states(const bool to_strains, Vector &r) const;
+    convert(const Conversion conversion, Vector &r) const;
 
     /** Sets the factors k and η₀ of a state for another instant.
      * @throw SceneError if one is not positive. */
@@ -206,7 +209,7 @@ namespace Crevasse
     std::shared_ptr<const Vectors>
     evaluate_thermal_strain(const double t) const;
 
-    /** Creep power from the stiffness and fluidity of a state. */
+    /** Creep law at the points, with the modes of a stiffness. */
     std::shared_ptr<const PointValues<CreepPoint<dim>>>
     evaluate_creep(const Matrices &stiffness, const double t) const;
 
