@@ -56,12 +56,12 @@ namespace Crevasse
 
 
   OutputChoice::OutputChoice(const Command &command, const Scene &scene)
-    : from_command_line(!command.output_directory.empty())
-    , may_replace(command.force)
-    , directory(from_command_line ? command.output_directory
+    : directory(!command.output_directory.empty() ? command.output_directory
                 : !scene.output_directory.empty()
                   ? scene.output_directory
                   : "results/" + fs::path(command.scene_file).stem().string())
+    , from_command_line(!command.output_directory.empty())
+    , may_replace(command.force)
   {
   }
 
@@ -158,8 +158,7 @@ namespace Crevasse
             "--resume: the run in " + directory +
             " has ended, but its summary.json does not hold the scene; another "
             "version of the program wrote it. Start without --resume, in "
-            "another "
-            "output directory.");
+            "another output directory.");
         require_same_scene(summary["scene"], parameters);
         return "the run in " + directory + " has ended after " +
                std::to_string(periods) +
@@ -167,13 +166,10 @@ namespace Crevasse
                (is_enough ? ", periodic."
                 : CheckpointFolder(directory).has_any()
                   ? ", as many as [Periodic state] Maximum periods allows; "
-                    "raise "
-                    "it "
-                    "to continue."
+                    "raise it to continue."
                   : ", as many as [Periodic state] Maximum periods allows, "
-                    "without "
-                    "a checkpoint to continue from; start again in another "
-                    "--output.");
+                    "without a checkpoint to continue from; start again in "
+                    "another --output.");
       }
     catch (const Summary::exception &error)
       {

@@ -20,6 +20,26 @@ namespace Crevasse
           instants.push_back(steps.instant(k));
       return instants;
     }
+
+
+
+    /** @throw SceneError if K of a tip in a body of revolution is not known. */
+    void
+    require_ring(const CrackTip &tip, const std::string &setting)
+    {
+      const std::string where = "[Material] Plane state = axisymmetric, " +
+                                setting + ": the crack at " +
+                                Text::from_point(tip.position);
+      if (tip.two_lips)
+        throw SceneError(
+          where +
+          " has two lips. This program knows K of a ring for half models with "
+          "the crack on y = const. Set Stress intensity = false.");
+      if (std::abs(tip.ahead[1]) > 1e-8)
+        throw SceneError(where +
+                         " is not in a plane perpendicular to the axis. Set "
+                         "Stress intensity = false.");
+    }
   } // namespace
 
 
@@ -147,23 +167,7 @@ namespace Crevasse
                        ": is for cracks with one lip, on a plane of "
                        "symmetry. Set it to automatic.");
     if (body.space.roles.has_axis)
-      {
-        const CrackTip   &tip   = region.tip;
-        const std::string where = "[Material] Plane state = axisymmetric, " +
-                                  StressIntensity::setting(scene) +
-                                  ": the crack at " +
-                                  Text::from_point(tip.position);
-        if (tip.two_lips)
-          throw SceneError(
-            where +
-            " has two lips. This program knows K of a ring for half models "
-            "with "
-            "the crack on y = const. Set Stress intensity = false.");
-        if (std::abs(tip.ahead[1]) > 1e-8)
-          throw SceneError(where +
-                           " is not in a plane perpendicular to the axis. Set "
-                           "Stress intensity = false.");
-      }
+      require_ring(region.tip, StressIntensity::setting(scene));
     if (wish == Method::williams_fit)
       return setting;
     for (const double t :

@@ -22,6 +22,8 @@ namespace Crevasse
      * for the scene NAME.prm. */
     OutputChoice(const Command &command, const Scene &scene);
 
+    const std::string directory;
+
     /** Checks that a run can use the directory, without creating anything: an
      * existing part may not be a directory or may forbid writing. Other
      * obstacles of a file system only prepare() finds. @throw FileError */
@@ -76,9 +78,6 @@ namespace Crevasse
     clear_earlier_results() const;
 
     const bool from_command_line, may_replace;
-
-  public:
-    const std::string directory;
   };
 } // namespace Crevasse
 
