@@ -21,20 +21,20 @@ namespace Crevasse
 
 
 
-    /** Number after a name in a file with lines "name number ...", or without a
-     * name in a file with nothing else; @p otherwise if there is none, as in a
-     * file that says "max". */
+    /** Number after a name in a file, or at its beginning without a name;
+     * @p otherwise if there is none, as in a file that says "max". */
     double
     number_in(const std::string &file_name,
               const std::string &name      = "",
               const double       otherwise = infinite)
     {
       std::ifstream file(file_name);
-      double        number;
-      for (std::string word = name; name.empty() || file >> word;)
-        if (word == name)
-          return file >> number ? number : otherwise;
-      return otherwise;
+      std::string   word;
+      while (word != name && file >> word)
+        {
+        }
+      double number;
+      return file >> number ? number : otherwise;
     }
 
 
