@@ -328,7 +328,7 @@ namespace Crevasse
     double size = 0.;
     for (const auto &node : body.space.lip.nodes)
       size = std::max(size, node.point.norm());
-    // Rows are sorted by x, then y; coordinates equal to rounding are equal.
+    // Rows are sorted by lip, x and y; values equal to rounding are equal.
     const double rounding = 1e-10 * size;
     std::sort(rows.begin(), rows.end(), [rounding](auto &a, auto &b) {
       unsigned int i = 0;

@@ -88,7 +88,10 @@ namespace Crevasse
   TipTable::observe(const Sample &sample)
   {
     if (sample.step == 0)
-      instants.clear(), of_last_period.clear();
+      {
+        instants.clear();
+        of_last_period.clear();
+      }
     before_jump(sample);
     std::vector<double> row = {sample.time};
     for (const auto &column : columns_of(analysis, of_last_period.back()))

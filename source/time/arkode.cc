@@ -197,7 +197,7 @@ namespace Crevasse
       void
       make_driver(const TimeStep &step)
       {
-        // Steps of a list are controlled with power-law creep.
+        // Steps of a list are controlled with nonlinear creep.
         const bool has_error =
           properties.controls_steps ||
           (properties.begins_explicitly && step.f.stress_scale() > 0.);

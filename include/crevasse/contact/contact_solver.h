@@ -61,7 +61,7 @@ namespace Crevasse
       return residual.linfty_norm() / (k * scales.force());
     }
 
-    /** Records the relative residual of Newton's method for power-law creep. */
+    /** Records the relative residual of Newton's method for nonlinear creep. */
     void
     note_newton_residual(const double relative_residual)
     {

@@ -81,8 +81,7 @@ namespace Crevasse
   power_law();
 
   /** f = A sinh(s/s₀)ⁿ (Garofalo, Fundamentals of Creep and Creep-Rupture in
-   * Metals, 1965): a power law for small s, an exponential for large s.
-   */
+   * Metals, 1965): a power law for small s, an exponential for large s. */
   const CreepLaw &
   hyperbolic_sine();
 

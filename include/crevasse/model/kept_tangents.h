@@ -50,9 +50,8 @@ namespace Crevasse
     const Kept *
     nearest(const double t) const;
 
-    /** Creates the tangent at a stress at @p t for r = r̂ + c ṙ of a known r̂. It
-     * replaces the nearest tangent if there is no memory for more. Collective.
-     */
+    /** Creates the tangent at a stress at @p t for r = r̂ + c ṙ. It replaces
+     * the nearest tangent if there is no memory for more. Collective. */
     const Kept &
     renew(const double  t,
           const double  c,

@@ -284,7 +284,7 @@ namespace Crevasse
     /** Tolerances of the stress: relative to the largest elastic; absolute. */
     double relative_tolerance = 1e-4;
     double absolute_tolerance = 0.;
-    /** Newton tolerance in stages of implicit schemes for power-law creep. */
+    /** Newton tolerance in stages of implicit schemes for nonlinear creep. */
     double       newton_tolerance      = 1e-7;
     unsigned int order                 = 4; ///< order of ARKODE's methods
     bool         locate_contact_events = false;

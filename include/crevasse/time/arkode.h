@@ -21,7 +21,7 @@ namespace Crevasse
    * fixed for each point, because r itself may drift.
    *
    * Implicit methods of order 3 and more begin with an explicit stage. If
-   * power-law creep relaxes stress within the step, a step of the list is
+   * nonlinear creep relaxes stress within the step, a step of the list is
    * divided if its error exceeds a tenth of the elastic stress.
    */
   std::unique_ptr<Integrator>
