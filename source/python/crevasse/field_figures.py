@@ -59,13 +59,13 @@ def draw_materials(axes, fields, names):
     material = fields.data["material"][fields.corners[:, 0]]
     numbers = numpy.unique(material)
     colours = colormaps["Pastel1"]
-    for id in numbers:
-        cells = fields.points[fields.quads[material == id]]
-        colour = colours(int(id) % colours.N)
+    for k in numbers.astype(int):
+        cells = fields.points[fields.quads[material == k]]
+        colour = colours(k % colours.N)
         axes.add_collection(PolyCollection(cells, facecolors=colour, zorder=0))
         if len(numbers) <= colours.N:
             axes.plot([], [], "s", color=colour,
-                      label=names.get(int(id), f"material {id:g}"))
+                      label=names.get(k, f"material {k}"))
 
 
 def built_in_shape(run):
