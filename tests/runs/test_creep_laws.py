@@ -243,7 +243,7 @@ def test_graded_sine():
     """A law that varies does not make C* depend on the square."""
     graded = ["Creep coefficient=exp(2*x)", "Creep exponent=3 + x",
               "Reference stress=8 + x"]
-    large, small = (run(rings(4, 1.3, 1e-3), "graded", [
+    large, small = (run(rings(3, 1.5, 1e-2), "graded", [
         *sine(1, 3, 8), *("Material/" + more for more in graded),
         "Refinement/Strategy=none", f"Crack tip/Radius={r}"
         ]).table("creep_integral.csv")["C_t"][-1] for r in (0.5, 0.1))
