@@ -72,10 +72,9 @@ namespace Crevasse
     if (archive.is_loading())
       {
         // The resumed run may have a smaller tolerance.
-        so_far.converged =
-          so_far.converged &&
-          (!has_memory() ||
-           so_far.stress_error_estimate.back() <= limits.tolerance);
+        if (so_far.converged)
+          so_far.converged =
+            is_within_tolerance(so_far.stress_error_estimate.back());
         solves_before  = n_solves() - solves;
         seconds_before = seconds;
         timer.restart();
@@ -293,8 +292,7 @@ namespace Crevasse
   {
     last.stress_error_estimate = error_estimate;
     so_far.stress_error_estimate.push_back(error_estimate);
-    so_far.converged = !has_memory() || (limits.tolerance > 0. &&
-                                         error_estimate <= limits.tolerance);
+    so_far.converged = is_within_tolerance(error_estimate);
     for (Observer *observer : observers)
       observer->end_of_period(last);
   }

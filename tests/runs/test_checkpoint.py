@@ -351,6 +351,8 @@ def test_ends():
              ("readapted", stages + [every(3)], 6, 7, [])]
     ends += [(case, [every(3), tolerance(1e-2)], 8, 8, [tolerance(1e-5)])
              for case in ("march", "anderson")]
+    # A body without a load, whose error is exactly 0, still has all its periods.
+    ends += [("march", [every(3), "Loads/Traction=", tolerance(1e-2)], 6, 7, [tolerance(0)])]
     for case, settings, last, more, other in ends:
         what = f"{case}, {settings[-1]}, {last} and {more} periods"
         settings = COMMON + CASES[case] + settings

@@ -162,6 +162,14 @@ namespace Crevasse
     bool                           is_comparable = true;
     const ReturnDefect<dim>       *defect = nullptr; ///< null: may not return
 
+    /** Whether an estimated error of the stress ends the search. */
+    bool
+    is_within_tolerance(const double error_estimate) const
+    {
+      return !has_memory() || (limits.tolerance > 0. &&
+                               error_estimate <= limits.tolerance);
+    }
+
     /** Whether the search has converged, or used all its periods. */
     bool
     is_over() const
