@@ -1,17 +1,18 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Crevasse authors
 
-#include <crevasse/discretisation/rigid_modes.h>
 #include <crevasse/model/largest_load.h>
 #include <crevasse/postprocess/crack_front_table.h>
 #include <crevasse/postprocess/creep_integral_table.h>
 #include <crevasse/postprocess/field_writer.h>
+#include <crevasse/postprocess/period_table.h>
 #include <crevasse/postprocess/probe_tables.h>
 #include <crevasse/postprocess/slip_while_closed.h>
 #include <crevasse/postprocess/stress_writer.h>
 #include <crevasse/postprocess/tip_table.h>
 #include <crevasse/simulation/drift.h>
 #include <crevasse/simulation/elastic_comparison.h>
+#include <crevasse/simulation/extremes.h>
 #include <crevasse/simulation/run.h>
 
 namespace Crevasse
@@ -20,116 +21,6 @@ namespace Crevasse
 
   namespace
   {
-    /** Records the largest stress, displacement, opening and viscous strain of
-     * a run, or of its last period, and the rounding of the stress. */
-    template <int dim>
-    class Extremes : public Observer
-    {
-    public:
-      /** Updates the largest values in the state of the run, also after other
-       * meshes. */
-      explicit Extremes(Run<dim> &run)
-        : run(run)
-        , body(run.body)
-        , state(run.state)
-      {
-      }
-
-      void
-      observe(const Sample &sample) override
-      {
-        if (run.choice.periods_are_iterates() && sample.step == 0)
-          state.largest_displacement = state.largest_opening = viscous_strain =
-            0.;
-        const State &now = sample.state;
-        state.largest_displacement =
-          std::max(state.largest_displacement,
-                   body.space.largest_component(now.displacement));
-        if (sample.viscous_strain.size() > 0)
-          viscous_strain =
-            std::max(viscous_strain, largest_strain(sample.viscous_strain));
-        if (body.effects.contact.on)
-          lip = body.lip.totals(now.displacement, now.contact_forces);
-        state.largest_opening =
-          std::max(state.largest_opening, lip.largest_opening);
-      }
-
-      void
-      before_jump(const Sample &sample) override
-      {
-        observe(sample);
-      }
-
-      void
-      end_of_period(const PeriodReport &report) override
-      {
-        state.largest_stress =
-          std::max(run.choice.periods_are_iterates() ? 0.
-                                                     : state.largest_stress,
-                   report.largest_stress);
-      }
-
-      void
-      serialize(StateArchive &archive) override
-      {
-        archive.common(viscous_strain);
-      }
-
-      /** Adds "extremes". "stress_rounding" is relative to the maximum: stress
-       * is K times the small difference of strains that may be large. */
-      void
-      summarise(Summary &summary) override
-      {
-        Summary &extremes         = summary["extremes"];
-        extremes["stress"]        = state.largest_stress;
-        extremes["displacement"]  = state.largest_displacement;
-        constexpr double small    = 0.1;
-        const double     diagonal = RigidParts<dim>(body.space.mesh()).size();
-        if (state.largest_displacement > small * diagonal)
-          run.log.line(
-            Text::Message()
-            << "  Beware: displacements reach " << state.largest_displacement
-            << " in a body of diagonal " << diagonal
-            << ": the theory is for small strains. Check that loads, lengths "
-               "and moduli use one system of units, and that the body may "
-               "creep this long.");
-        if (body.effects.contact.on)
-          extremes["opening"] = state.largest_opening;
-        if (!body.effects.viscosity.on)
-          return;
-        double     stiffness = 0.;
-        const auto material  = body.material.at(0.);
-        for (const VoigtMatrix<dim> &K : material.stiffness->distinct())
-          stiffness = std::max(stiffness, K.norm());
-        stiffness = Utilities::MPI::max(stiffness, body.space.communicator());
-        summary["certificate"]["stress_rounding"] =
-          state.largest_stress == 0.
-            ? 0.
-            : std::numeric_limits<double>::epsilon() * stiffness *
-                viscous_strain / state.largest_stress;
-      }
-
-      LipTotals lip; ///< state at the last sample
-
-    private:
-      double
-      largest_strain(const Vector &r) const
-      {
-        if (!body.law.hardens())
-          return r.linfty_norm();
-        Vector strains = r;
-        body.material.convert(&CreepPoint<dim>::strains, strains);
-        return strains.linfty_norm();
-      }
-
-      const Run<dim>  &run;
-      const Body<dim> &body;
-      RunState        &state;
-      double           viscous_strain = 0.; ///< its largest component
-    };
-
-
-
     /** A table with one row for each accepted step. */
     class SampleTable : public Observer
     {
@@ -156,129 +47,52 @@ namespace Crevasse
 
 
 
-    /** periods.csv: convergence to the periodic state, and its cost. The rows
-     * are also logged, with a progress line on terminals. */
-    class PeriodTable : public Observer
+    /** The observers of a run while they are created, with the instants at
+     * which fields are written. */
+    template <int dim>
+    class Outputs
     {
     public:
-      PeriodTable(CsvTable       &&table,
-                  const Scene     &scene,
-                  const LipTotals &lip,
-                  Log             &log)
-        : table(std::move(table))
-        , scene(scene)
-        , lip(lip)
-        , log(log)
+      explicit Outputs(Run<dim> &run)
+        : run(run)
+        , body(run.body)
+        , writes(Utilities::MPI::this_mpi_process(
+                   run.body.space.communicator()) == 0)
+        // The end of the run is always included.
+        , instants{false, {run.steps.period()}, {}}
       {
-        log.line("\n  period        t  change of stress  estimated error  VIs");
+        if (run.crack_tips.empty())
+          instants.followed.emplace_back([](const Sample &sample) {
+            return sample.state.stress.linfty_norm();
+          });
+      }
+
+      template <typename Type>
+      Type *
+      add(std::unique_ptr<Type> observer)
+      {
+        Type *const view = observer.get();
+        run.observers.push_back(std::move(observer));
+        return view;
       }
 
       void
-      observe(const Sample &sample) override
+      add_probes()
       {
-        if (!log.on_terminal())
-          return;
-        const double done = // periods done
-          sample.period - 1. + sample.instant / scene.loads.period;
-        if (done_before < 0.)
-          done_before = done;
-        // Limits progress to a few lines a second.
-        const double seconds = timer.wall_time();
-        if (seconds <= last_shown + 0.2)
-          return;
-        last_shown        = seconds;
-        const double most = scene.periodic_state.maximum_periods;
-        const double now  = done - done_before;
-        log.progress(Text::format(
-          "  period %u of at most %.0f, step %u at t = %g, %u of the lip's "
-          "nodes closed, at most %.0f s left",
-          sample.period,
-          most,
-          sample.step + 1,
-          sample.time,
-          lip.closed_nodes,
-          now > 0. ? seconds * (most - done) / now : 0.));
+        std::vector<CsvTable> of_probes;
+        for (const ProbeEvaluator<dim> &probe : run.probes)
+          of_probes.push_back(
+            table("probe_" + probe.name + ".csv", probe.columns()));
+        if (!of_probes.empty())
+          add(std::make_unique<ProbeTables<dim>>(run.probes,
+                                                 std::move(of_probes),
+                                                 body.space.communicator()));
       }
 
-      void
-      end_of_period(const PeriodReport &report) override
+      /** @param lip the lip's state at the last sample. */
+      LipClosure<dim> *
+      add_lip(const LipTotals &lip)
       {
-        table.add_row({double(report.period),
-                       report.end_time,
-                       report.stress_change,
-                       report.stress_error_estimate,
-                       double(report.vi_solves),
-                       report.seconds});
-        // The first period has no period before to compare its stress with, and
-        // adaptive steps may differ from those of the period before.
-        const auto shown =
-          [](const char *pattern, const double value, const bool is_known) {
-            return is_known && std::isfinite(value)
-                     ? Text::format(pattern, value)
-                     : "-";
-          };
-        log.line(Text::format(
-          "  %6u %8g  %16s  %15s %4zu",
-          report.period,
-          report.end_time,
-          shown("%.6e", report.stress_change, report.period > 1).c_str(),
-          shown("%.1e", report.stress_error_estimate, true).c_str(),
-          report.vi_solves));
-      }
-
-    private:
-      CsvTable         table;
-      const Scene     &scene;
-      const LipTotals &lip;
-      Log             &log;
-      const Timer      timer;
-      double           last_shown  = 0.;
-      double           done_before = -1.; ///< before this mesh or resume
-    };
-  } // namespace
-
-
-
-  template <int dim>
-  void
-  Run<dim>::make_observers()
-  {
-    const auto add = [this](auto observer) {
-      const auto view = observer.get();
-      observers.push_back(std::move(observer));
-      return view;
-    };
-    const bool writes =
-      Utilities::MPI::this_mpi_process(body.space.communicator()) == 0;
-    // Ranks that do not write have no files.
-    const auto path = [&](const std::string &name) {
-      return writes ? checkpoints.directory + '/' + name : std::string();
-    };
-    std::vector<std::string> names; // of tables
-    const auto               table = [&](const std::string              &name,
-                           const std::vector<std::string> &columns) {
-      names.push_back(name);
-      return CsvTable(path(name), columns, state.has_tables());
-    };
-
-    const auto extremes = add(std::make_unique<Extremes<dim>>(*this));
-    // The end of the run is always included.
-    FieldInstants instants{false, {steps.period()}, {}};
-    if (crack_tips.empty())
-      instants.followed.emplace_back(
-        [](const Sample &sample) { return sample.state.stress.linfty_norm(); });
-    std::vector<CsvTable> of_probes;
-    for (const ProbeEvaluator<dim> &probe : probes)
-      of_probes.push_back(
-        table("probe_" + probe.name + ".csv", probe.columns()));
-    if (!of_probes.empty())
-      add(std::make_unique<ProbeTables<dim>>(probes,
-                                             std::move(of_probes),
-                                             body.space.communicator()));
-    LipClosure<dim> *closure = nullptr;
-    if (body.effects.contact.on)
-      {
-        const LipTotals &lip = extremes->lip;
         add(std::make_unique<SampleTable>(
           table("contact.csv",
                 {"t", "closed_nodes", "force", "largest_pressure"}),
@@ -288,97 +102,176 @@ namespace Crevasse
                     lip.force,
                     lip.largest_pressure};
           }));
-        closure = add(
-          std::make_unique<LipClosure<dim>>(body, path("lip.csv"), evolution));
         instants.followed.emplace_back(
           [&lip](auto &) { return lip.largest_opening; });
         instants.followed.emplace_back(
           [&lip](auto &) { return lip.closed_nodes > 0 ? lip.force : NAN; });
+        return add(std::make_unique<LipClosure<dim>>(body,
+                                                     path("lip.csv"),
+                                                     run.evolution));
       }
-    if (!body.space.roles.crack.empty())
-      add(std::make_unique<SlipWhileClosed<dim>>(body, log));
-    const auto drift = add(std::make_unique<Drift<dim>>(*this));
-    if (load_factors)
-      add(std::make_unique<ElasticComparison<dim>>(*this,
-                                                   drift->of_last_period()));
-    if constexpr (dim == 2)
-      if (!crack_tips.empty())
-        {
-          const auto squares =
-            elastic_error_squares(scene, body, systems, steps);
-          const TipContext context{steps, flow, closure, log};
-          unsigned int     n_two_lips = 0;
-          for (const auto &tip : crack_tips)
-            {
-              const std::string number = tip->intensity.region.tip.two_lips
-                                           ? "_" + std::to_string(++n_two_lips)
-                                           : "";
-              const auto        of_tip = add(std::make_unique<TipTable>(
-                *tip,
-                squares,
-                context,
-                table("crack_tip" + number + ".csv", TipTable::columns(*tip))));
-              for (const double sign : {1., -1.})
-                instants.followed.emplace_back([of_tip, sign](auto &) {
-                  return sign * of_tip->latest().equivalent;
-                });
-            }
-        }
-    if constexpr (dim == 2)
-      for (unsigned int i = 0; i < creep_integrals.size(); ++i)
-        {
-          const CreepIntegral &integral = *creep_integrals[i];
-          const std::string    number =
-            integral.region.tip.two_lips ? "_" + std::to_string(i + 1) : "";
-          add(std::make_unique<CreepIntegralTable>(
-            scene,
-            integral,
-            steps,
-            choice.periods_are_iterates(),
-            table("creep_integral" + number + ".csv",
-                  {"t", "C_t", "C_t_error"}),
-            log));
-        }
-    if (crack_front != nullptr)
-      add(std::make_unique<CrackFrontTable>(
-        *crack_front, steps, path("crack_front.csv"), log));
-    if (body.effects.field_output.on)
+
+      /** @param closure of the lip; null without contact. */
+      void
+      add_tips(LipClosure<2> *closure)
       {
-        const FieldTimes &times = *scene.output.field_times;
+        const auto squares =
+          elastic_error_squares(run.scene, body, run.systems, run.steps);
+        const TipContext context{run.steps, run.flow, closure, run.log};
+        unsigned int     n_two_lips = 0;
+        for (const auto &tip : run.crack_tips)
+          {
+            const std::string number = tip->intensity.region.tip.two_lips
+                                         ? "_" + std::to_string(++n_two_lips)
+                                         : "";
+            const auto        of_tip = add(std::make_unique<TipTable>(
+              *tip,
+              squares,
+              context,
+              table("crack_tip" + number + ".csv", TipTable::columns(*tip))));
+            for (const double sign : {1., -1.})
+              instants.followed.emplace_back([of_tip, sign](auto &) {
+                return sign * of_tip->latest().equivalent;
+              });
+          }
+      }
+
+      void
+      add_creep_integrals()
+      {
+        for (unsigned int i = 0; i < run.creep_integrals.size(); ++i)
+          {
+            const CreepIntegral &integral = *run.creep_integrals[i];
+            const std::string    number =
+              integral.region.tip.two_lips ? "_" + std::to_string(i + 1) : "";
+            add(std::make_unique<CreepIntegralTable>(
+              run.scene,
+              integral,
+              run.steps,
+              run.choice.periods_are_iterates(),
+              table("creep_integral" + number + ".csv",
+                    {"t", "C_t", "C_t_error"}),
+              run.log));
+          }
+      }
+
+      void
+      add_front()
+      {
+        add(std::make_unique<CrackFrontTable>(
+          *run.crack_front, run.steps, path("crack_front.csv"), run.log));
+      }
+
+      void
+      add_fields()
+      {
+        const FieldTimes &times = *run.scene.output.field_times;
         instants.all            = times.all;
         if (!times.of_extremes)
           instants.followed.clear();
-        for (const double t : times.instants(steps.period()))
-          instants.chosen.insert(steps.instant(steps.nearest(t)));
-        add(std::make_unique<FieldWriter<dim>>(
-          body, recovery, steps, instants, checkpoints.directory, log));
+        for (const double t : times.instants(run.steps.period()))
+          instants.chosen.insert(run.steps.instant(run.steps.nearest(t)));
+        add(std::make_unique<FieldWriter<dim>>(body,
+                                               run.recovery,
+                                               run.steps,
+                                               instants,
+                                               run.checkpoints.directory,
+                                               run.log));
       }
+
+      /** Work of the loads ∫ loads · u (force times length, per thickness in a
+       * plane). For an elastic body without gap, half of it is the strain
+       * energy, and minus this half the least potential energy, the reference
+       * for errors in the energy norm. */
+      void
+      add_load_work()
+      {
+        add(std::make_unique<SampleTable>(
+          table("load_work.csv", {"t", "load_work"}),
+          [&run = run](const Sample &sample) -> std::vector<double> {
+            const double t = run.steps.within_period(sample.instant);
+            return {sample.time,
+                    loads_at(run.body, t) * sample.state.displacement};
+          }));
+      }
+
+      void
+      add_periods(const LipTotals &lip)
+      {
+        add(std::make_unique<PeriodTable>(table("periods.csv",
+                                                {"period",
+                                                 "t_end",
+                                                 "stress_change",
+                                                 "stress_error_estimate",
+                                                 "vi_solves",
+                                                 "seconds"}),
+                                          run.scene,
+                                          lip,
+                                          run.log));
+      }
+
+      std::vector<std::string> names; ///< of tables that a resumed run extends
+
+    private:
+      /** Path of a file; none on ranks that do not write. */
+      std::string
+      path(const std::string &name) const
+      {
+        return writes ? run.checkpoints.directory + '/' + name : "";
+      }
+
+      CsvTable
+      table(const std::string &name, const std::vector<std::string> &columns)
+      {
+        names.push_back(name);
+        return CsvTable(path(name), columns, run.state.has_tables());
+      }
+
+      Run<dim>        &run;
+      const Body<dim> &body;
+      const bool       writes;
+      FieldInstants    instants;
+    };
+  } // namespace
+
+
+
+  template <int dim>
+  void
+  Run<dim>::make_observers()
+  {
+    Outputs<dim>     outputs(*this);
+    const LipTotals &lip =
+      outputs.add(std::make_unique<Extremes<dim>>(*this))->lip;
+    outputs.add_probes();
+    LipClosure<dim> *const closure =
+      body.effects.contact.on ? outputs.add_lip(lip) : nullptr;
+    if (!body.space.roles.crack.empty())
+      outputs.add(std::make_unique<SlipWhileClosed<dim>>(body, log));
+    const Drift<dim> *const drift =
+      outputs.add(std::make_unique<Drift<dim>>(*this));
+    if (load_factors)
+      outputs.add(
+        std::make_unique<ElasticComparison<dim>>(*this,
+                                                 drift->of_last_period()));
+    if constexpr (dim == 2)
+      {
+        if (!crack_tips.empty())
+          outputs.add_tips(closure);
+        outputs.add_creep_integrals();
+      }
+    if (crack_front != nullptr)
+      outputs.add_front();
+    if (body.effects.field_output.on)
+      outputs.add_fields();
     if (scene.output.load_work)
-      // Work of the loads ∫ loads · u (force times length, per thickness in a
-      // plane). For an elastic body without gap, half of it is the strain
-      // energy, and minus this half the least potential energy, the reference
-      // for errors in the energy norm.
-      add(std::make_unique<SampleTable>(
-        table("load_work.csv", {"t", "load_work"}),
-        [this](const Sample &sample) -> std::vector<double> {
-          const double t = steps.within_period(sample.instant);
-          return {sample.time, loads_at(body, t) * sample.state.displacement};
-        }));
+      outputs.add_load_work();
     if (scene.output.stress_record)
-      add(std::make_unique<StressWriter<dim>>(body,
-                                              checkpoints.directory +
-                                                "/stress_samples.bin"));
-    add(std::make_unique<PeriodTable>(table("periods.csv",
-                                            {"period",
-                                             "t_end",
-                                             "stress_change",
-                                             "stress_error_estimate",
-                                             "vi_solves",
-                                             "seconds"}),
-                                      scene,
-                                      extremes->lip,
-                                      log));
-    checkpoints.set_tables(names);
+      outputs.add(std::make_unique<StressWriter<dim>>(body,
+                                                      checkpoints.directory +
+                                                        "/stress_samples.bin"));
+    outputs.add_periods(lip);
+    checkpoints.set_tables(outputs.names);
   }
 
 

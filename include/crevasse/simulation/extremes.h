@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Crevasse authors
+
+#ifndef crevasse_simulation_extremes_h
+#define crevasse_simulation_extremes_h
+
+#include <crevasse/discretisation/rigid_modes.h>
+#include <crevasse/simulation/run.h>
+
+namespace Crevasse
+{
+  /** Records the largest stress, displacement, opening and viscous strain of
+   * a run, or of its last period, and the rounding of the stress. */
+  template <int dim>
+  class Extremes : public Observer
+  {
+  public:
+    /** Updates the largest values in the state of the run, also after other
+     * meshes. */
+    explicit Extremes(Run<dim> &run)
+      : run(run)
+      , body(run.body)
+      , state(run.state)
+    {
+    }
+
+    void
+    observe(const Sample &sample) override
+    {
+      if (run.choice.periods_are_iterates() && sample.step == 0)
+        state.largest_displacement = state.largest_opening = viscous_strain =
+          0.;
+      const State &now = sample.state;
+      state.largest_displacement =
+        std::max(state.largest_displacement,
+                 body.space.largest_component(now.displacement));
+      if (sample.viscous_strain.size() > 0)
+        viscous_strain =
+          std::max(viscous_strain, largest_strain(sample.viscous_strain));
+      if (body.effects.contact.on)
+        lip = body.lip.totals(now.displacement, now.contact_forces);
+      state.largest_opening =
+        std::max(state.largest_opening, lip.largest_opening);
+    }
+
+    void
+    before_jump(const Sample &sample) override
+    {
+      observe(sample);
+    }
+
+    void
+    end_of_period(const PeriodReport &report) override
+    {
+      state.largest_stress =
+        std::max(run.choice.periods_are_iterates() ? 0. : state.largest_stress,
+                 report.largest_stress);
+    }
+
+    void
+    serialize(StateArchive &archive) override
+    {
+      archive.common(viscous_strain);
+    }
+
+    /** Adds "extremes". "stress_rounding" is relative to the maximum: stress
+     * is K times the small difference of strains that may be large. */
+    void
+    summarise(Summary &summary) override
+    {
+      Summary &extremes         = summary["extremes"];
+      extremes["stress"]        = state.largest_stress;
+      extremes["displacement"]  = state.largest_displacement;
+      constexpr double small    = 0.1;
+      const double     diagonal = RigidParts<dim>(body.space.mesh()).size();
+      if (state.largest_displacement > small * diagonal)
+        run.log.line(
+          Text::Message()
+          << "  Beware: displacements reach " << state.largest_displacement
+          << " in a body of diagonal " << diagonal
+          << ": the theory is for small strains. Check that loads, lengths "
+             "and moduli use one system of units, and that the body may "
+             "creep this long.");
+      if (body.effects.contact.on)
+        extremes["opening"] = state.largest_opening;
+      if (!body.effects.viscosity.on)
+        return;
+      double     stiffness = 0.;
+      const auto material  = body.material.at(0.);
+      for (const VoigtMatrix<dim> &K : material.stiffness->distinct())
+        stiffness = std::max(stiffness, K.norm());
+      stiffness =
+        dealii::Utilities::MPI::max(stiffness, body.space.communicator());
+      summary["certificate"]["stress_rounding"] =
+        state.largest_stress == 0.
+          ? 0.
+          : std::numeric_limits<double>::epsilon() * stiffness *
+              viscous_strain / state.largest_stress;
+    }
+
+    LipTotals lip; ///< state at the last sample
+
+  private:
+    double
+    largest_strain(const Vector &r) const
+    {
+      if (!body.law.hardens())
+        return r.linfty_norm();
+      Vector strains = r;
+      body.material.convert(&CreepPoint<dim>::strains, strains);
+      return strains.linfty_norm();
+    }
+
+    const Run<dim>  &run;
+    const Body<dim> &body;
+    RunState        &state;
+    double           viscous_strain = 0.; ///< its largest component
+  };
+} // namespace Crevasse
+
+#endif
