@@ -144,11 +144,12 @@ namespace Crevasse
           continue;
         Order                order{{0., face == no_face ? 1. : 0.}};
         const Tensor<1, dim> offset = cell->center() - point;
+        const double         length = offset.norm(); // 0 at the center
         for (unsigned int d = 0;
              d < dim && (recovery.has_interfaces() || on_crack);
              ++d)
           {
-            const double along = offset[d] / offset.norm();
+            const double along = length > 0. ? offset[d] / length : 0.;
             order[2 + d]       = along > -0.1 ? 1. : 0.;
             order[2 + dim + d] = std::round(1000. * along);
           }

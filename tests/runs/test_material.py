@@ -5,7 +5,8 @@ import math
 import pathlib
 import re
 
-from crevasse_run import SOURCE, check, check_below, execute, overrides, plain, run
+from crevasse_run import (SOURCE, check, check_below, check_close, execute, overrides,
+                          plain, run)
 
 CRACK = """
 subsection Geometry
@@ -246,6 +247,15 @@ def test_series():
               "Radau's quadrature, of order 3")
 
 
+def test_center():
+    """Of two materials, a probe at the center of a cell is as good as another."""
+    table = run(BAR, "center", moduli("y")[:1] + [
+        "Loads/Traction=0; 10", "Material/Viscosity=none",
+        "Output/Probes=center: 0.25, 0.25"]).table("probe_center.csv")
+    check_close(table["s_22"][0], 10., 1e-12, "stress at a cell's center")
+    check_close(table["u_2"][0], 0.25 * 10. / E[0], 1e-12, "displacement there")
+
+
 def test_parallel():
     """Two columns side by side between rigid planes, stretched by a cooling
     that stays or alternates: each relaxes by itself. The probes are away from
@@ -411,6 +421,7 @@ if __name__ == "__main__":
     test_matrices()
     test_mesh_materials()
     test_series()
+    test_center()
     test_parallel()
     test_refusals()
     test_refusals_between_steps()
