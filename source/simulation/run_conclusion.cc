@@ -17,15 +17,6 @@ namespace Crevasse
 
   namespace
   {
-    /** Error: stress is not periodic after the maximum of periods. All results
-     * are written, but they are not periodic as requested. */
-    struct NotPeriodicError : NumericalError
-    {
-      using NumericalError::NumericalError;
-    };
-
-
-
     /** Names and versions of the numerical libraries. */
     std::map<std::string, std::string>
     library_versions()
@@ -246,86 +237,6 @@ namespace Crevasse
 
 
 
-    /** Reports a wrong periodic state. @param reason with further advice. */
-    [[noreturn]] void
-    throw_another_state(const PeriodicChoice &choice, const std::string &reason)
-    {
-      throw NotPeriodicError(
-        "The stress repeats, but it is not the periodic one: " + reason +
-        " march with [Periodic state] Tolerance = 0 over more periods" +
-        (choice.alternative.empty() ? "" : ", or " + choice.alternative) +
-        ". All results so far are written.");
-    }
-
-
-
-    template <int dim>
-    void
-    require_contact_forces(const Run<dim> &run, const Summary &summary)
-    {
-      const auto &secular = summary["secular"];
-      if (!run.flow || !run.body.effects.contact.on || //
-          run.body.effects.varying_viscosity.on ||
-          !secular.contains("mean_contact_force_of_last_period"))
-        return;
-      // The limits exceed the errors of reasonable steps, and the small part of
-      // the load that a scheme's quadrature may miss; forces are accurate to
-      // rounding.
-      constexpr double far = 0.5, part_of_load = 0.05, rounding = 1e-10;
-      const MPI_Comm   communicator = run.body.space.communicator();
-      const auto       n_nodes      = run.body.lip.nodes.size();
-      const double     measured = secular["mean_contact_force_of_last_period"];
-      const double     expected = run.body.lip.force(run.flow->contact_forces);
-      const double     difference = std::abs(measured - expected);
-      const double     error = std::max(rounding, run.scene.contact.tolerance) *
-                           run.magnitudes.largest_nodal_force *
-                           Utilities::MPI::sum(n_nodes, communicator);
-      if (difference <= far * std::max(measured, expected) ||
-          difference <= part_of_load * run.body.law.viscosity_factor(0.) *
-                          run.split.mean_load.l1_norm() ||
-          difference <= error)
-        return;
-      throw_another_state(
-        run.choice,
-        Text::Message()
-          << "the lip bears " << measured
-          << " in the mean of the last period, and " << expected
-          << " once its flow has become steady (mean contact force of the "
-             "secular problem). The lip still approaches contact, still leaves "
-             "it, or touches only within a step; raise [Time integration] "
-             "Steps per period,");
-    }
-
-
-
-    void
-    require_lip_at_rest(const Scene          &scene,
-                        const PeriodicChoice &choice,
-                        const Summary        &summary)
-    {
-      if (!summary.contains("drift") ||
-          !summary["drift"].contains("largest_closing_rate"))
-        return;
-      // The rest of the way to the periodic state closes the lip by about the
-      // tolerance of the stress, relative to the opening.
-      constexpr double many = 100., least_tolerance = 1e-8;
-      const double     part =
-        many * std::max(scene.periodic_state.tolerance, least_tolerance);
-      const double rate    = summary["drift"]["largest_closing_rate"];
-      const double opening = summary["extremes"]["opening"];
-      if (!(rate * scene.loads.period > part * opening)) // nan: noise
-        return;
-      throw_another_state(
-        choice,
-        Text::Message()
-          << "the lip continues to close, by up to "
-          << rate * scene.loads.period
-          << " in the last period, of an opening of " << opening
-          << " at most. Once it touches, the stress will change;");
-    }
-
-
-
     /** Message for a run that is not periodic yet: its state, and advice. */
     std::string
     message_of_failure(const PeriodicStateParameters &parameters,
@@ -384,11 +295,10 @@ namespace Crevasse
     if (choice.method == PeriodicMethodType::march)
       report_end_by_change(result, parameters.tolerance, log);
     if (!result.converged && parameters.tolerance > 0.)
-      throw NotPeriodicError(message_of_failure(parameters, choice, result));
-    if (!result.converged)
-      return;
-    require_contact_forces(*this, summary);
-    require_lip_at_rest(scene, choice, summary);
+      throw NumericalError(message_of_failure(parameters, choice, result));
+    if (result.converged)
+      for (const auto &observer : observers)
+        observer->require_periodic();
   }
 
 

@@ -91,10 +91,16 @@ namespace Crevasse
       archive.common(impulse);
     }
 
+    /** Mean contact force over the last period. In the periodic state it is
+     * that of the secular problem up to errors of steps, if η₀ is constant. */
+    double
+    mean_contact_force() const
+    {
+      return impulse / last_instant;
+    }
+
     /** Adds t₀, the last instant of contact of an opening node, and the mean
-     * contact force over the last period, which in the periodic state is that
-     * of the secular problem up to errors of steps, if η₀ is constant.
-     * Collective. */
+     * contact force. Collective. */
     void
     summarise(Summary &secular, Log &log) const
     {
@@ -111,7 +117,7 @@ namespace Crevasse
       const auto number =
         dealii::Utilities::MPI::sum(opening_nodes.size(), communicator);
 
-      secular["mean_contact_force_of_last_period"] = impulse / last_instant;
+      secular["mean_contact_force_of_last_period"] = mean_contact_force();
       secular["opening_nodes"]                     = number;
       secular["onset"]                             = onset;
       // null: no opening node was ever closed

@@ -73,13 +73,7 @@ namespace Crevasse
               components(probe.displacement(gain) * per_time);
           if (effects.contact.on)
             {
-              // Largest closing of a node of the lip; β closes none.
-              double closing = 0.;
-              for (const LipNode<dim> &node : run.body.lip.nodes)
-                closing = std::max(closing, -node.normal_part(gain));
-              closing =
-                dealii::Utilities::MPI::max(closing,
-                                            run.body.space.communicator());
+              const double closing = largest_closing();
               drift["largest_closing_rate"] =
                 is_noise(closing) ? NAN : closing / run.steps.period();
             }
@@ -102,6 +96,15 @@ namespace Crevasse
       summary["secular"] = secular;
     }
 
+    void
+    require_periodic() const override
+    {
+      if (onset && !run.body.effects.varying_viscosity.on)
+        require_contact_forces();
+      if (run.body.effects.contact.on && run.body.effects.viscosity.on)
+        require_lip_at_rest();
+    }
+
     /** Gain q(T n) − q(T (n−1)) after the run; 0 in constrained entries. */
     const Vector &
     of_last_period() const
@@ -114,6 +117,18 @@ namespace Crevasse
     components(const dealii::Tensor<1, dim> &tensor)
     {
       return {tensor.begin_raw(), tensor.end_raw()};
+    }
+
+    /** Largest closing of a node of the lip in the last period; β closes none.
+     * Collective. */
+    double
+    largest_closing() const
+    {
+      double closing = 0.;
+      for (const LipNode<dim> &node : run.body.lip.nodes)
+        closing = std::max(closing, -node.normal_part(gain));
+      return dealii::Utilities::MPI::max(closing,
+                                         run.body.space.communicator());
     }
 
     /** Whether a displacement is within the accuracy of the solvers, as if
@@ -146,6 +161,67 @@ namespace Crevasse
           if (probe.on_lip)
             entry["mean_pressure"] = pressure;
         }
+    }
+
+    /** @param reason with advice. */
+    [[noreturn]] void
+    throw_another_state(const std::string &reason) const
+    {
+      throw NumericalError(
+        "The stress repeats, but it is not the periodic one: " + reason +
+        " march with [Periodic state] Tolerance = 0 over more periods" +
+        (run.choice.alternative.empty() ? ""
+                                        : ", or " + run.choice.alternative) +
+        ". All results so far are written.");
+    }
+
+    void
+    require_contact_forces() const
+    {
+      // The limits exceed the errors of reasonable steps, and the small part of
+      // the load that a scheme's quadrature may miss; forces are accurate to
+      // rounding.
+      constexpr double far = 0.5, part_of_load = 0.05, rounding = 1e-10;
+      const auto       n_nodes =
+        dealii::Utilities::MPI::sum(run.body.lip.nodes.size(),
+                                    run.body.space.communicator());
+      const double measured   = onset->mean_contact_force();
+      const double expected   = run.body.lip.force(run.flow->contact_forces);
+      const double difference = std::abs(measured - expected);
+      const double error = std::max(rounding, run.scene.contact.tolerance) *
+                           run.magnitudes.largest_nodal_force * n_nodes;
+      if (difference <= far * std::max(measured, expected) ||
+          difference <= part_of_load * run.body.law.viscosity_factor(0.) *
+                          run.split.mean_load.l1_norm() ||
+          difference <= error)
+        return;
+      throw_another_state(
+        Text::Message()
+        << "the lip bears " << measured
+        << " in the mean of the last period, and " << expected
+        << " once its flow has become steady (mean contact force of the "
+           "secular problem). The lip still approaches contact, still leaves "
+           "it, or touches only within a step; raise [Time integration] "
+           "Steps per period,");
+    }
+
+    void
+    require_lip_at_rest() const
+    {
+      // The rest of the way to the periodic state closes the lip by about the
+      // tolerance of the stress, relative to the opening.
+      constexpr double many = 100., least_tolerance = 1e-8;
+      const double     part =
+        many * std::max(run.scene.periodic_state.tolerance, least_tolerance);
+      const double closing = largest_closing();
+      const double opening = run.state.largest_opening;
+      if (is_noise(closing) || closing <= part * opening)
+        return;
+      throw_another_state(
+        Text::Message()
+        << "the lip continues to close, by up to " << closing
+        << " in the last period, of an opening of " << opening
+        << " at most. Once it touches, the stress will change;");
     }
 
     const Run<dim> &run;

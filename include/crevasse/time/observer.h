@@ -73,6 +73,13 @@ namespace Crevasse
     {
     }
 
+    /** Checks, after summarise(), a state whose stress repeats. Collective.
+     * @throw NumericalError with advice if it cannot be the periodic one. */
+    virtual void
+    require_periodic() const
+    {
+    }
+
     /** Writes final results after summarise(). Collective. */
     virtual void
     finish()
