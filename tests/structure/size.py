@@ -3,13 +3,12 @@
 
 """Counts the lines of source and include: all, and those of code, which are
 neither blank nor comment; by folder, and the largest files; the Python package
-beside. Fails beyond the limits below."""
+beside. Fails where a folder or a file is too large to read."""
 
 import collections
 import pathlib
 import sys
 
-LIMIT_LINES, LIMIT_CODE = 55068, 41849
 LARGEST_SHARE = 1 / 7
 LONGEST_FILE = 400
 
@@ -42,7 +41,6 @@ def main(root):
     for name, row in sorted(folders.items(), key=lambda item: -item[1][1]):
         print(f"{name:18}{row[0]:6}{row[1]:8}{row[2]:8}{row[1] / lines:8.1%}")
     print(f"{'all':18}{files:6}{lines:8}{code:8}")
-    print(f"{'at most':24}{LIMIT_LINES:8}{LIMIT_CODE:8}")
     package = sorted((root / "source" / "python").rglob("*.py"))
     print(f"{'Python package':18}{len(package):6}"
           f"{sum(len(p.read_text().splitlines()) for p in package):8}")
@@ -53,10 +51,6 @@ def main(root):
     errors = []
     if files < 100:
         errors.append(f"only {files} files under {root}: wrong folder?")
-    for what, number, limit in (("lines", lines, LIMIT_LINES),
-                                ("lines of code", code, LIMIT_CODE)):
-        if number > limit:
-            errors.append(f"{number} {what}, at most {limit} are allowed")
     errors += [f"{name} has {row[1] / lines:.1%} of all lines, a seventh is "
                "allowed" for name, row in folders.items()
                if row[1] > LARGEST_SHARE * lines]
