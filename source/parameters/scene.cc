@@ -97,8 +97,10 @@ namespace Crevasse
                        "must be false with [Material] Viscosity = " +
                          name_of(scene.material.viscosity) +
                          ": K does not describe the stress at a crack tip "
-                         "if creep is nonlinear in the stress. Set Creep "
-                         "integral = true");
+                         "if creep is nonlinear in the stress" +
+                         (is_linear || scene.material.creep_law()->hardens ?
+                            "" :
+                            ". Set Creep integral = true"));
       crack_tip.demand(is_linear ||
                          scene.crack_tip.growth_law == GrowthLawType::none ||
                          scene.crack_tip.grows_by_C_of_t(),
