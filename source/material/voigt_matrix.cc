@@ -73,7 +73,7 @@ namespace Crevasse
 
 
 
-    /** Real ones. */
+    /** Real eigenvalues of a matrix, in the plane or all. */
     template <int dim>
     std::vector<double>
     eigenvalues(const VoigtMatrix<dim> &matrix, const bool in_plane_only)
@@ -89,7 +89,7 @@ namespace Crevasse
 
 
 
-    /** What is rounding of the largest rate is none. */
+    /** Extremes of rates, without those that are rounding of the largest. */
     RelaxationRates
     extremes(const std::vector<double> &rates)
     {

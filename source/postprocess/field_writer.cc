@@ -63,7 +63,7 @@ namespace Crevasse
 
   template <int dim>
   bool
-  FieldWriter<dim>::is_wanted(const Sample &sample)
+  FieldWriter<dim>::follow(const Sample &sample)
   {
     if (sample.step == 0)
       extremes.assign(wanted.followed.size(), {});
@@ -74,7 +74,10 @@ namespace Crevasse
         const double value          = wanted.followed[i](sample);
         size                        = std::max(size, std::abs(value));
         if (value > most + 1e-9 * size)
-          most = value, instant = sample.instant;
+          {
+            most    = value;
+            instant = sample.instant;
+          }
       }
     const auto is_kept = [this](const double instant) {
       bool is = wanted.chosen.count(instant) == 1;
@@ -96,7 +99,7 @@ namespace Crevasse
   void
   FieldWriter<dim>::observe(const Sample &sample)
   {
-    if (!is_wanted(sample))
+    if (!follow(sample))
       return;
     Snapshot &snapshot = snapshots[sample.instant];
     snapshot           = {sample.time, sample.state, sample.viscous_strain};

@@ -21,8 +21,8 @@ namespace Crevasse
 
   namespace
   {
-    /** The scene with the fastest contact solver, which has no other effect
-     * here. */
+    /** Scene with the fastest contact solver: mesh adaptation does not depend
+     * on it. */
     Scene
     with_fast_solvers(Scene scene)
     {

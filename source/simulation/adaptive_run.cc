@@ -129,13 +129,13 @@ namespace Crevasse
 
     const Summary sizes = sizes_of(body);
     log.line(
-      Text::format("  mesh adapted: %lu cells, %lu unknowns; estimated error "
-                   "before %.2e; viscous strain: norm %.6e before, %.6e after",
-                   sizes["cells"].get<unsigned long>(),
-                   sizes["unknowns"].get<unsigned long>(),
-                   error,
-                   before.l2,
-                   after.l2));
+      Text::Message()
+      << "  mesh adapted: " << sizes["cells"] << " cells, " << sizes["unknowns"]
+      << Text::format(" unknowns; estimated error before %.2e; viscous strain: "
+                      "norm %.6e before, %.6e after",
+                      error,
+                      before.l2,
+                      after.l2));
     summary["refinement"]["readaptations"].push_back(
       {{"after_period", state.result.periods},
        {"cells", sizes["cells"]},

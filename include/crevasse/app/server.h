@@ -18,17 +18,21 @@ namespace Crevasse
    * other runs.
    *
    * A request is a line of standard input,
-   *   {"id": 1, "arguments": ["a.prm"], "output": FILE, "error": FILE}
+   *
+   *     {"id": 1, "arguments": ["a.prm"], "output": FILE, "error": FILE}
+   *
    * with the files for standard output and error; optional are "directory",
    * "seconds" after which the run is killed, and the variables of the
    * environment to "unset". Several requests run at the same time. For each
    * run, lines of standard output report its process, to which signals may be
    * sent, and its end,
-   *   {"id": 1, "process": 4711}
-   * {"id": 1, "status": 0, "cpu": 0.05} where a negative status is minus the
-   * number of the signal that ended the run. A request that cannot be read is
-   * answered with the id null and the status 2. The end of the input ends all
-   * runs. Called before MPI starts.
+   *
+   *     {"id": 1, "process": 4711}
+   *     {"id": 1, "status": 0, "cpu": 0.05}
+   *
+   * where a negative status is minus the number of the signal that ended the
+   * run. A request that cannot be read is answered with the id null and the
+   * status 2. The end of the input ends all runs. Called before MPI starts.
    *
    * @return in the process of a run, the name of the program and its arguments;
    * the server itself does not return.

@@ -49,7 +49,8 @@ namespace Crevasse
     FrontElasticity elasticity;
     SquareWeight    weight;
 
-    /** Fields for h = 1 and for its slope. @param frame not on the front. */
+    /** Auxiliary fields at a place for the hat function h = 1, and for its
+     * slope along the front. @param frame not on the front. */
     std::pair<FrontField, FrontField>
     at(const FrontFrame &frame) const;
 

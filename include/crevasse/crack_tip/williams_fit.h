@@ -53,8 +53,8 @@ namespace Crevasse
              apply(large, stress, contact_forces);
     }
 
-    /** Least radius whose half disc has enough points for all terms.
-     * Collective. */
+    /** Least radius at which a half disc holds enough quadrature points to fit
+     * all terms of Williams' series. Collective. */
     static double
     least_radius(const PointGeometry &points,
                  const TipRegion     &region,

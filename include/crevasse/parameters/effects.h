@@ -24,11 +24,12 @@ namespace Crevasse
     Effect viscosity;
     Effect secular_flow; ///< secular flow, once loads are known
     Effect chain;
-    /** Effects of MaterialParameters::free_strains(). */
+    /** Whether each of MaterialParameters::free_strains() is on. */
     std::vector<Effect> free_strains;
     Effect              varying_stiffness; ///< stiffness that varies in time
     Effect              varying_viscosity;
-    /** Effects of LoadParameters::forces() in the volume. */
+    /** Whether each of LoadParameters::forces() that acts in the volume is
+     * on. */
     std::vector<Effect> volume_forces;
     Effect              singular_functions;
     Effect              stress_intensity;

@@ -90,7 +90,8 @@ namespace Crevasse
       return array;
     }
 
-    /** Recovers a field at quadrature points to the points. Collective. */
+    /** Recovers a field from the quadrature points at the points of the output
+     * grid. Collective. */
     std::vector<VoigtVector<dim>>
     recovered(const Vector &field) const
     {

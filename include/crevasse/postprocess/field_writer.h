@@ -25,7 +25,7 @@ namespace Crevasse
   /**
    * Writes fields for ParaView at chosen instants of the last period and at the
    * end of the run. The last period is known only after it, so that states are
-   * kept in memory and written by summarise().
+   * kept in memory and written by finish().
    *
    * Names of point data: displacement; stress, recovered, and viscous_strain,
    * the tensor r (the shear component r_12 is half the engineering shear strain
@@ -72,9 +72,10 @@ namespace Crevasse
       Vector viscous_strain;
     };
 
-    /** Whether to keep the sample; deletes snapshots no longer wanted. */
+    /** Updates the extremes and deletes snapshots that they no longer need.
+     * @return whether to keep the sample. */
     bool
-    is_wanted(const Sample &sample);
+    follow(const Sample &sample);
 
     std::vector<PointArray>
     arrays_of(const double          instant,

@@ -45,7 +45,8 @@ namespace Crevasse
       observe(sample);
     }
 
-    /** Checks the first period. @throw NumericalError, see require_held(). */
+    /** Checks after the first period that contact holds every part.
+     * @throw NumericalError, see require_held(). */
     void
     end_of_period(const PeriodReport &report) override;
 

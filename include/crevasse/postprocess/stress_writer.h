@@ -20,13 +20,15 @@ namespace Crevasse
    * stress_samples.bin: the stress at all quadrature points at the instants of
    * the last period, for the errors of a sweep (sweep_errors.py). The file has
    * five integers of 64 bits, a mark and the numbers of dimensions, points,
-   * stress components and instants, and then numbers of 64 bits:
-   *   instants             within the period
-   *   cells                of each point two integers: the id of its cell
-   *   coordinates          of each point
-   * stress of each instant, of each point Points of all ranks follow each
-   * other; the ids of cells allow to sort the points of runs on other numbers
-   * of ranks.
+   * stress components and instants, and then, in numbers of 64 bits,
+   *
+   * - the instants within the period,
+   * - two integers for each point: the id of its cell,
+   * - the coordinates of each point,
+   * - for each instant the stress at each point.
+   *
+   * Points of all ranks follow each other; the ids of cells allow to sort the
+   * points of runs on other numbers of ranks.
    */
   template <int dim>
   class StressWriter : public Observer

@@ -87,7 +87,7 @@ namespace Crevasse
       archive.common_list(of_last_period);
     }
 
-    /** Values at the last observed sample. */
+    /** Intensities at the tip at the last observed sample. */
     const TipValues &
     latest() const
     {
