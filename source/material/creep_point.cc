@@ -212,7 +212,8 @@ namespace Crevasse
     constexpr double infinity = std::numeric_limits<double>::infinity();
     double           x        = 0.5 * std::log(square);
     double           above = hardens ? infinity : x, below = -infinity;
-    double           steepest = hardens ? infinity : 1.;
+    double           steepest  = hardens ? infinity : 1.;
+    double           last_step = infinity;
     for (unsigned int iteration = 0; iteration < most; ++iteration)
       {
         const Step now     = step(x, w, k, log_kappa);
@@ -246,9 +247,15 @@ namespace Crevasse
           above = std::min(above, x - too_much / steepest);
         else
           below = std::max(below, x - too_much / steepest);
-        x = std::max(below, std::min(above, x + correction));
+        const double before = x;
+        x                   = std::max(below, std::min(above, x + correction));
         if (hardens && (x == below || x == above))
           x = 0.5 * (std::max(below, x - 2.) + std::min(above, x + 2.));
+        // Newton's method may alternate between two points.
+        if (hardens && above - below < infinity &&
+            std::abs(x - before) > 0.5 * last_step)
+          x = 0.5 * (below + above);
+        last_step = std::abs(x - before);
       }
     throw NumericalError(
       "The iteration for the stress of an implicit creep step did not converge "

@@ -170,6 +170,20 @@ def apart(one, other):
                / max(map(abs, theirs)) for mine, theirs in zip(one, other, strict=True))
 
 
+def test_steep_hardening():
+    """Newton's method for the stress at a point alternates between two stresses of a
+    hardening body under long steps, without bisection; shorter steps agree."""
+    def largest_opening(steps):
+        *_, opening = plate("steep", [
+            *hardening(1e-14, 5, 2.), *with_scheme("sdirk2"),
+            "Material/Plane state=plane strain", "Loads/Traction=0; 40*sin(2*pi*t/600)",
+            "Discretisation/Volumetric strain=mean", "Periodic state/Maximum periods=1",
+            f"Time integration/Steps per period={steps}"])
+        return max(opening)
+    check_close(largest_opening(20) / largest_opening(40), 1, 1e-3,
+                "largest opening with 20 and 40 steps")
+
+
 def test_limits():
     """Small arguments of the sine, and no hardening, are the power law."""
     A, n, s_0 = 1e-6 * 20. ** -2, 3, 1e7
@@ -310,6 +324,8 @@ def test_refusals():
             (hardening(1e-12, 3, -1), "at least 0"),
             ([*sine(1e-12, 3, 1.), "Time integration/Scheme=trapezoid"],
              "Viscosity = hyperbolic sine is not"),
+            ([*hard, "Crack tip/Crack growth law=creep"], "must be none"),
+            (sine(1e-12, 3, 1.)[:-1], "Reference stress"),
             (sine(1e-12, 3, 0), "greater than 0")):
         status, _, error = execute("bar.prm", "--output", "results/refused",
                                    *overrides(settings))
@@ -324,6 +340,7 @@ if __name__ == "__main__":
     test_varying_stress()
     test_relaxation()
     test_far_beyond_the_reference_stress()
+    test_steep_hardening()
     test_limits()
     test_units()
     test_tube()
