@@ -85,7 +85,8 @@ def graphs_for_doxygen():
 def texts_of_program():
     """The string literals of the sources, neighbours joined, with something
     unlike any text between them."""
-    for path in (ROOT / "source").rglob("*.cc"):
+    for path in (*(ROOT / "source").rglob("*.cc"),
+                 *(ROOT / "include").rglob("*.h")):
         literals = re.findall(r'((?:"(?:[^"\\\n]|\\.)*"\s*)+)',
                               path.read_text())
         for literal in literals:
