@@ -62,9 +62,9 @@ namespace Crevasse
   {
     static const CreepLaw law = {power_law().parameters_and(
                                    {"Reference stress",
-                                    "1",
-                                    "Stress s0 in the hyperbolic sine, in "
-                                    "units of stress",
+                                    "0", // must be set
+                                    "Stress s0 that divides the stress in the "
+                                    "hyperbolic sine, in units of stress",
                                     Ranges::positive}),
                                  sine_response,
                                  sine_dual_potential};

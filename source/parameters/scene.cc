@@ -91,6 +91,7 @@ namespace Crevasse
         "Crack growth law",
         "is for Dimension = 2: in space K varies along the front");
       const bool is_linear = scene.material.creep_law() == nullptr;
+      const bool hardens   = !is_linear && scene.material.creep_law()->hardens;
       crack_tip.demand(is_linear || scene.crack_tip.stress_intensity !=
                                       StressIntensityChoice::on,
                        "Stress intensity",
@@ -98,21 +99,21 @@ namespace Crevasse
                          name_of(scene.material.viscosity) +
                          ": K does not describe the stress at a crack tip "
                          "if creep is nonlinear in the stress" +
-                         (is_linear || scene.material.creep_law()->hardens ?
-                            "" :
-                            ". Set Creep integral = true"));
+                         (hardens ? "" : ". Set Creep integral = true"));
       crack_tip.demand(is_linear ||
                          scene.crack_tip.growth_law == GrowthLawType::none ||
-                         scene.crack_tip.grows_by_C_of_t(),
+                         (scene.crack_tip.grows_by_C_of_t() && !hardens),
                        "Crack growth law",
-                       "needs, with [Material] Viscosity = " +
-                         name_of(scene.material.viscosity) +
-                         ", Creep integral = true and Creep growth parameter = "
-                         "C(t)");
+                       hardens
+                         ? "must be none with creep that hardens, which has "
+                           "neither K nor C(t)"
+                         : "needs, with [Material] Viscosity = " +
+                             name_of(scene.material.viscosity) +
+                             ", Creep integral = true and Creep growth "
+                             "parameter = C(t)");
       crack_tip.demand(!scene.crack_tip.creep_integral ||
                          (is_plane && !scene.is_axisymmetric() && !is_linear &&
-                          !scene.material.creep_law()->hardens &&
-                          singular_functions(scene).n == 0),
+                          !hardens && singular_functions(scene).n == 0),
                        "Creep integral",
                        "needs nonlinear creep without hardening, such as "
                        "[Material] Viscosity = power law, plane stress or "
