@@ -166,8 +166,8 @@ namespace Crevasse
     bool
     is_within_tolerance(const double error_estimate) const
     {
-      return !has_memory() || (limits.tolerance > 0. &&
-                               error_estimate <= limits.tolerance);
+      return !has_memory() ||
+             (limits.tolerance > 0. && error_estimate <= limits.tolerance);
     }
 
     /** Whether the search has converged, or used all its periods. */
