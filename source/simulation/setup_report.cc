@@ -47,16 +47,20 @@ namespace Crevasse
         values += 4. * (scene.periodic_state.anderson_depth + 2.) * strain;
       if (choice.uses_fourier())
         values += n_steps * (strain + 2. * vector);
-      // Instants of the output, their data in a checkpoint, collected and
-      // packed by cell (measured), and one instant being written: patches and
-      // text.
+      // A checkpoint collects data by cell and packs them (measured): the
+      // stresses of a period that cannot be repeated exactly, and instants of
+      // the output, of which one is being written: patches and text.
+      constexpr double collected = 2.4;
+      if (!traits(run.solvers.linear.type).has(Trait::is_direct) ||
+          scene.material.creep_law() != nullptr)
+        values += collected * n_steps * stress;
       if (body.effects.field_output.on)
         values +=
           n_instants_of_fields(run) *
             (vector + stress + strain +
-             2.4 * (stress + strain +
-                    2. * body.space.finite_element.n_dofs_per_cell() *
-                      body.space.mesh().n_locally_owned_active_cells())) +
+             collected * (stress + strain +
+                          2. * body.space.finite_element.n_dofs_per_cell() *
+                            body.space.mesh().n_locally_owned_active_cells())) +
           10. * stress;
       return sizeof(double) * values;
     }
