@@ -68,10 +68,10 @@ namespace Crevasse
   int
   run_script_command(const std::vector<std::string> &words)
   {
-    std::error_code   error;
-    const fs::path    program   = fs::read_symlink("/proc/self/exe", error);
-    const fs::path    directory = find_package(program);
-    const std::string name      = words[1];
+    std::error_code    error;
+    const fs::path     program   = fs::read_symlink("/proc/self/exe", error);
+    const fs::path     directory = find_package(program);
+    const std::string &name      = words[1];
     if (directory.empty())
       {
         std::cerr << "crevasse " << name

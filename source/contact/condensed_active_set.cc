@@ -20,7 +20,7 @@ namespace Crevasse
     {
       const std::vector<double> all =
         of_all_ranks(problem.stiffness.get_mpi_communicator(), local);
-      return {all.begin(), all.end()};
+      return dealii::Vector<double>(all.begin(), all.end());
     }
   } // namespace
 

@@ -23,7 +23,6 @@ namespace Crevasse
 
   LipGraph::LipGraph(const SignoriniProblem &problem)
     : communicator(problem.stiffness.get_mpi_communicator())
-    , first_local(0)
     , neighbours(problem.n_bounds())
   {
     const auto counts =

@@ -71,7 +71,7 @@ namespace Crevasse
     erode(const std::vector<Nodes> &layers, std::vector<bool> &next) const;
 
     MPI_Comm           communicator;
-    unsigned int       first_local;
+    unsigned int       first_local = 0;
     std::vector<Nodes> neighbours;
   };
 } // namespace Crevasse
