@@ -7,7 +7,8 @@ import math
 import numpy
 import tubes
 from bars import BAR
-from crevasse_run import SOURCE, check, check_below, check_close, execute, full, overrides, run
+from crevasse_run import (SOURCE, check, check_below, check_close, execute, full,
+                          overrides, run, tier)
 from interrupted_runs import COMMON, check_same_bytes, finish, fresh, interrupt, reference
 from test_creep_integral import SCENE as CRACKED
 from test_creep_integral import rings
@@ -257,7 +258,8 @@ def test_graded_sine():
     """A law that varies does not make C* depend on the square."""
     graded = ["Creep coefficient=exp(2*x)", "Creep exponent=3 + x",
               "Reference stress=8 + x"]
-    large, small = (run(rings(3, 1.5, 1e-2), "graded", [
+    scene = rings(*tier((3, 1.5, 1e-2), (4, 1.3, 1e-3)))
+    large, small = (run(scene, "graded", [
         *sine(1, 3, 8), *("Material/" + more for more in graded),
         "Refinement/Strategy=none", f"Crack tip/Radius={r}"
         ]).table("creep_integral.csv")["C_t"][-1] for r in (0.5, 0.1))
