@@ -137,6 +137,28 @@ namespace Crevasse
 
 
   template <int dim>
+  VoigtMatrix<dim>
+  CreepPoint<dim>::fluidity(const VoigtVector<dim> &stress) const
+  {
+    const double           s = equivalent_stress<dim>(stress);
+    const VoigtVector<dim> N = (s > 0. ? 1. / s : 0.) * direction<dim>(stress);
+    const auto [log_secant, slope] = law->response(constants, log_of(s));
+    const double     secant = std::exp(std::min(log_secant, largest_log));
+    VoigtMatrix<dim> result;
+    for (unsigned int j = 0; j < n_stress_components<dim>; ++j)
+      {
+        VoigtVector<dim> unit;
+        unit[j]                       = 1.;
+        const VoigtVector<dim> column = direction<dim>(unit);
+        for (unsigned int i = 0; i < n_stress_components<dim>; ++i)
+          result[i][j] = secant * (column[i] + (slope - 1.) * N[i] * N[j]);
+      }
+    return result;
+  }
+
+
+
+  template <int dim>
   CreepLaw::DualPotential
   CreepPoint<dim>::dual_potential(const VoigtVector<dim> &stress) const
   {

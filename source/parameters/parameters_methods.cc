@@ -221,9 +221,15 @@ namespace Crevasse
       fraction);
     prm.add_parameter("Anderson depth",
                       anderson_depth,
-                      "Number of earlier periods that \"anderson\" combines "
-                      "with the last one.",
-                      Integer(1));
+                      "Number of earlier periods that \"anderson\" and "
+                      "\"averaged\" combine with the last one; 0: none.",
+                      Integer(0));
+    prm.add_parameter("Averaged poles",
+                      averaged_poles,
+                      "Number of terms with which \"averaged\" imitates how "
+                      "stress relaxes within a period: 2 needs fewer periods, "
+                      "1 less memory.",
+                      Integer(1, 2));
     add_selection("Harmonics", harmonics, prm);
   }
 

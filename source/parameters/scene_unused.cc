@@ -183,7 +183,11 @@ namespace Crevasse
         {"Periodic state/Start from", direct || automatic, of_method},
         {"Periodic state/Harmonics", !harmonics, of_method},
         {"Periodic state/Anderson depth",
-         method != PeriodicMethodType::anderson && !automatic,
+         method != PeriodicMethodType::anderson &&
+           method != PeriodicMethodType::averaged && !automatic,
+         of_method},
+        {"Periodic state/Averaged poles",
+         method != PeriodicMethodType::averaged,
          of_method},
       };
     }

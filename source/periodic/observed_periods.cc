@@ -133,10 +133,9 @@ namespace Crevasse
 
 
   template <int dim>
-  double
-  ObservedPeriods<dim>::compute(Vector &r)
+  void
+  ObservedPeriods<dim>::advance(Vector &r)
   {
-    ++so_far.periods;
     unsigned int             k = first_step;
     const SerializationScope here(checkpointer(), [&](StateArchive &archive) {
       serialize_step(archive, k, r);
@@ -161,6 +160,28 @@ namespace Crevasse
                                << " to " << steps.instant(k + 1) << ": "
                                << error.what());
         }
+  }
+
+
+
+  template <int dim>
+  double
+  ObservedPeriods<dim>::compute(Vector &r)
+  {
+    ++so_far.periods;
+    if (sums_increments)
+      {
+        sum_of_steps.swap(r);
+        if (first_step == 0)
+          sum_of_steps = 0.;
+        evolution.count_from(&r_before);
+        advance(sum_of_steps);
+        evolution.count_from(nullptr);
+        r = r_before;
+        r += sum_of_steps;
+      }
+    else
+      advance(r);
     return end_period(r);
   }
 
@@ -171,10 +192,18 @@ namespace Crevasse
   ObservedPeriods<dim>::replay()
   {
     const std::size_t solves = n_solves();
-    Vector            r;
+    Vector            r, start;
     r.swap(replay_from);
+    if (sums_increments)
+      {
+        start.swap(r);
+        r.reinit(start);
+        evolution.count_from(&start);
+      }
     for (unsigned int k = 0; k < steps.n_steps(); ++k)
       advance_step(k, r, false);
+    if (sums_increments)
+      evolution.count_from(&r_before);
     history.take_change();
     solves_before += n_solves() - solves;
     timer.restart();
@@ -242,17 +271,23 @@ namespace Crevasse
 
   template <int dim>
   Sample
-  ObservedPeriods<dim>::sample(const unsigned int k, const Vector &r) const
+  ObservedPeriods<dim>::sample(const unsigned int k, const Vector &r)
   {
-    const bool   is_end = k == steps.n_steps();
-    const double t      = steps.instant(k);
+    const bool   is_end       = k == steps.n_steps();
+    const double t            = steps.instant(k);
+    const bool   is_increment = evolution.counts_from_strain();
+    if (is_increment)
+      {
+        shown_strain = r_before;
+        shown_strain += r;
+      }
     return {so_far.periods,
             k,
             is_end ? so_far.periods * steps.period()
                    : (so_far.periods - 1) * steps.period() + t,
             t,
             evolution.state(),
-            r,
+            is_increment ? shown_strain : r,
             evolution.right_hand_side(),
             evolution.secular_flow()};
   }

@@ -16,6 +16,25 @@ namespace Crevasse
 
 
 
+    /** Reason why the averaged body is of no use, or empty. */
+    template <int dim>
+    std::string
+    averaged_obstacle(const Scene &scene, const Body<dim> &body)
+    {
+      const TimeIntegrationParameters &time = scene.time_integration;
+      if (!body.held_by_contact.empty())
+        return what_contact_holds(body.held_by_contact) +
+               ", whose position may be any of several";
+      if (body.law.hardens())
+        return "creep that hardens never returns to its state";
+      if (traits(time.scheme).has(Trait::is_of_arkode))
+        return std::string("Scheme = ") + traits(time.scheme).name +
+               " does not tell its stages";
+      return "";
+    }
+
+
+
     template <int dim>
     PeriodicChoice
     choose_automatically(const Scene     &scene,
@@ -55,9 +74,20 @@ namespace Crevasse
         return choice(Method::fourier, "only the loads depend on time");
       if (const std::string flow = secular_obstacle(body);
           !flow.empty() && !body.law.has_spring())
-        return choice(Method::march,
-                      "the viscous strain may not be periodic, because " +
-                        flow);
+        {
+          // Periods that a march takes to forget, and those of averaged steps.
+          constexpr double few       = 10.;
+          const double     tolerance = scene.periodic_state.tolerance;
+          if (tolerance > 0. && body.law.creep == nullptr &&
+              -std::log(tolerance) * largest_relaxation_time >
+                few * scene.loads.period &&
+              averaged_obstacle(scene, body).empty())
+            return choice(Method::averaged,
+                          "a march would need many periods, and " + flow);
+          return choice(Method::march,
+                        "the viscous strain may not be periodic, because " +
+                          flow);
+        }
       if (largest_relaxation_time <= short_time * scene.loads.period)
         return choice(Method::anderson,
                       "the stress is forgotten within a period");
@@ -111,6 +141,11 @@ namespace Crevasse
         throw SceneError(
           choice.why + ": " + what_contact_holds(body.held_by_contact) +
           ", so that its position is not unique. Use Method = march.");
+      if (choice.method == Method::averaged)
+        if (const std::string obstacle = averaged_obstacle(scene, body);
+            !obstacle.empty())
+          throw SceneError(choice.why + ": " + obstacle +
+                           ". Use Method = automatic.");
       if (choice.uses_fourier())
         require_fourier(scene, body, steps);
       if (const std::string flow = secular_obstacle(body);

@@ -4,6 +4,7 @@
 #include <crevasse/base/problems.h>
 #include <crevasse/secular/secular_problem.h>
 #include <crevasse/secular/viscosity.h>
+#include <crevasse/time/stages.h>
 
 #include <sstream>
 
@@ -46,25 +47,18 @@ namespace Crevasse
                        const StepList   &steps,
                        const Integrator &integrator)
     {
-      TimeQuadrature rule = integrator.properties.quadrature;
-      if (rule.weights.empty())
-        rule = {{0., 1.}, {0.5, 0.5}};
-      Vector mean, loads;
+      const Stages stages(steps, integrator.properties.quadrature);
+      Vector       mean, loads;
       body.strain_operator.initialize(mean);
       body.strain_operator.initialize(loads);
-      for (unsigned int k = 0; k < steps.n_steps(); ++k)
-        for (unsigned int i = 0; i < rule.nodes.size(); ++i)
-          {
-            const double instant =
-              steps.instant(k) + rule.nodes[i] * steps.step(k);
-            const double t = rule.nodes[i] > 0. && steps.jumps_at(instant)
-                               ? steps.just_before(instant)
-                               : steps.within_period(instant);
-            body.loads.evaluate(t, loads);
-            mean.add(rule.weights[i] * steps.step(k) / steps.period() /
-                       body.law.viscosity_factor(t),
-                     loads);
-          }
+      for (unsigned int j = 0; j < stages.instants.size(); ++j)
+        {
+          const double t = stages.instants[j];
+          body.loads.evaluate(t, loads);
+          mean.add(stages.weights[j] / steps.period() /
+                     body.law.viscosity_factor(t),
+                   loads);
+        }
       return mean;
     }
 

@@ -8,6 +8,7 @@
 #include <crevasse/harmonic_balance/prescribed_motion.h>
 #include <crevasse/model/largest_load.h>
 #include <crevasse/periodic/anderson.h>
+#include <crevasse/periodic/averaged.h>
 #include <crevasse/periodic/contraction.h>
 #include <crevasse/periodic/march.h>
 #include <crevasse/simulation/run.h>
@@ -26,7 +27,7 @@ namespace Crevasse
     n_stresses_of_checkpoint(const Run<dim> &run)
     {
       const unsigned int of_anderson =
-        run.choice.method == PeriodicMethodType::anderson
+        run.choice.periods_are_iterates()
           ? 2 * (run.scene.periodic_state.anderson_depth + 2)
           : 0;
       const unsigned int n_branches = run.body.law.branches.size();
@@ -56,6 +57,15 @@ namespace Crevasse
   void
   Run<dim>::prepare_evolution()
   {
+    if (choice.method == PeriodicMethodType::averaged && choice.may_fall_back &&
+        body.effects.contact.on &&
+        !traits(systems.settings.linear_choice.type).has(Trait::is_direct))
+      {
+        log.line(
+          "  march takes over: averaged needs a direct linear solver "
+          "where there is contact");
+        choice.method = PeriodicMethodType::march;
+      }
     Vector &r = state.viscous_strain;
     if (flow && split.is_split)
       evolution.split_off(*flow);
@@ -132,6 +142,22 @@ namespace Crevasse
     if (counts.leaps > 0)
       log.line("  anderson followed a steady drift by " +
                std::to_string(counts.leaps) + " steps of two and more periods");
+  }
+
+
+
+  template <int dim>
+  void
+  Run<dim>::correct_by_average(ObservedPeriods<dim>   &periods,
+                               const UnilateralBounds &bounds)
+  {
+    Averaged<dim> method(
+      periods, evolution, body, bounds, systems, scene.periodic_state);
+    method.run(state.viscous_strain);
+    if (method.n_unsolved() > 0)
+      log.line("  averaged: in " + std::to_string(method.n_unsolved()) +
+               " periods no shift of the lip gives the mean contact forces, "
+               "and the nearest one was taken");
   }
 
 
@@ -224,6 +250,7 @@ namespace Crevasse
     // Strain without stress matters to a march if a lip may touch.
     if (body.effects.viscosity.on &&
         (split.strain_returns || body.law.has_spring()) &&
+        choice.method != PeriodicMethodType::averaged &&
         (choice.method != PeriodicMethodType::march || body.effects.contact.on))
       periods.require_return(defect);
     // Infinite if no stress relaxes; then stress does not change either.
@@ -231,7 +258,9 @@ namespace Crevasse
       std::isfinite(times.longest_in_mean)
         ? slowness_of_relaxation(scene.loads.period / times.longest_in_mean)
         : times.creep_exponent;
-    if (choice.method != PeriodicMethodType::march)
+    if (choice.method == PeriodicMethodType::averaged)
+      correct_by_average(periods, bounds);
+    else if (choice.method != PeriodicMethodType::march)
       accelerate(periods, slowness);
     else
       march(periods, slowness, times.creep_exponent, state.viscous_strain);

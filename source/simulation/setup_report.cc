@@ -43,7 +43,7 @@ namespace Crevasse
       // Stresses at all samples of a period, compared with the next; stages and
       // work space.
       double values = (n_steps + 8.) * stress + 5. * strain + 30. * vector;
-      if (choice.method == PeriodicMethodType::anderson)
+      if (choice.periods_are_iterates())
         values += 4. * (scene.periodic_state.anderson_depth + 2.) * strain;
       if (choice.uses_fourier())
         values += n_steps * (strain + 2. * vector);
@@ -93,10 +93,16 @@ namespace Crevasse
                                                    body.space.communicator());
           one += 3. * sizeof(double) * n_lip * n_lip;
         }
+      // Factors and matrices of the averaged body's points.
+      double averaged = 0.;
+      if (run.choice.method == PeriodicMethodType::averaged)
+        averaged = (run.scene.periodic_state.averaged_poles + 1.) *
+                   (one + sizeof(double) * n * n * body.law.branches.size() *
+                            body.points.n_local_points);
       if (!body.material.stiffness_varies)
-        return one;
+        return one + averaged;
       constexpr double mebibyte = 1024. * 1024.;
-      return one +
+      return one + averaged +
              std::min(2. * run.steps.n_steps() * one,
                       run.scene.linear_solver.memory_for_instants * mebibyte);
     }

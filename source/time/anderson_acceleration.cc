@@ -32,6 +32,24 @@ namespace Crevasse
         if (residual_norm > noise)
           change = residual_change / residual_norm;
       }
+    keep(std::move(pair));
+  }
+
+
+
+  void
+  AndersonAcceleration::add_measured(const Vector &image,
+                                     const Vector &residual)
+  {
+    residual_norm = residual.l2_norm();
+    keep({image, residual});
+  }
+
+
+
+  void
+  AndersonAcceleration::keep(Pair &&pair)
+  {
     pairs.push_back(std::move(pair));
     if (pairs.size() > settings.depth + 1)
       pairs.pop_front();
@@ -77,7 +95,7 @@ namespace Crevasse
 
     combine(factors, images, x);
     const std::size_t n_independent = images.size();
-    while (!images.empty() && !is_possible(x))
+    while (!images.empty() && settings.contracts && !is_possible(x))
       {
         factors.remove_column(images.size() - 1);
         images.pop_back();

@@ -101,7 +101,7 @@ namespace Crevasse
           {
             const VoigtVector<dim> stress =
               law[point].relaxed_stress(strain - known.thermal(offset),
-                                        Field::get(known.r, offset),
+                                        known.viscous(offset),
                                         k,
                                         stage.log_kappa);
             Field::set(stage.state.stress, offset, stress);
@@ -228,6 +228,7 @@ namespace Crevasse
   ContactSolver &
   CreepStage<dim>::solve(const double  t,
                          const Vector &known,
+                         const Vector *base,
                          const double  c,
                          State        &state,
                          Vector       &right_hand_side)
@@ -248,7 +249,7 @@ namespace Crevasse
             Stage          stage{t,
                         to,
                         std::log(material.kappa(to)),
-                        InelasticStrain<dim>(material, known),
+                        InelasticStrain<dim>(material, known, base),
                         // The tangent of a failed trial is useless.
                         has_failed
                                    ? instants.renew_tangent(t, to, state.stress, known)

@@ -29,14 +29,14 @@ namespace Crevasse
 
   template <int dim>
   void
-  Evolution<dim>::solve(ContactSolver &contact_solver, const double k)
+  Evolution<dim>::solve(const double t, ContactSolver &solver, const double k)
   {
-    contact_solver.solve(loading,
-                         last.displacement,
-                         last.contact_forces.normal,
-                         k);
+    ContactForces &forces = last.contact_forces;
+    solver.solve(loading, last.displacement, forces.normal, k);
     last.stiffness_factor = k;
-    last_solver           = &contact_solver;
+    last_solver           = &solver;
+    if (lip_history != nullptr)
+      lip_history->record(t, last);
   }
 
 
@@ -51,21 +51,21 @@ namespace Crevasse
     const MaterialState<dim>  &material = instant.material;
     const auto                &K        = *material.stiffness;
     const double               k        = material.stiffness_factor;
-    const InelasticStrain<dim> inelastic(material, r);
+    const InelasticStrain<dim> inelastic(material, r, base);
     std::optional<Stopwatch>   watch(std::in_place, "strain sweeps");
     loads.evaluate(t, loading);
-    if (r.size() > 0 && material.is_plain())
-      strain_operator.add_transpose(loading,
-                                    [&r,
-                                     kK = k * K[0]](const std::size_t offset) {
-                                      return kK * Field::get(r, offset);
-                                    });
+    if (r.size() > 0 && material.is_plain() && base == nullptr)
+      strain_operator.add_transpose( //
+        loading,
+        [&r, kK = k * K[0]](const std::size_t offset) {
+          return kK * Field::get(r, offset);
+        });
     else if (r.size() > 0 || material.thermal_strain != nullptr)
       strain_operator.add_transpose(loading, [&](const std::size_t offset) {
         return k * (K[offset / Field::n_components] * inelastic(offset));
       });
     watch.reset();
-    solve(instant.contact_solver, k);
+    solve(t, instant.contact_solver, k);
   }
 
 
@@ -79,27 +79,27 @@ namespace Crevasse
     const Instant<dim>        instant  = instants.at(t);
     const MaterialState<dim> &material = instant.material;
     solve_explicitly(t, instant, r);
+    ++evaluations;
+    if (material.is_plain() && flow == nullptr && base == nullptr)
+      return plain_rate(material, r, rate);
+    const InelasticStrain<dim> inelastic(material, r, base);
     if (material.creep != nullptr)
       {
-        const InelasticStrain<dim> inelastic(material, r);
         set_stress(inelastic);
         fastest = creep_stage.rates(inelastic, 0., last.stress, rate);
+        return;
       }
-    else if (material.is_plain() && flow == nullptr)
-      plain_rate(material, r, rate);
-    else
-      stress_and_rates(
-        InelasticStrain<dim>(material, r),
-        [&](const std::size_t       point,
-            const unsigned int      i,
-            const std::size_t       place,
-            const VoigtVector<dim> &mechanical) {
-          return material.fractions[i] *
-                 ((*material.stiffness)[point] *
-                  (mechanical - QuadratureField<dim>::get(r, place)));
-        },
-        rate);
-    ++evaluations;
+    stress_and_rates(
+      inelastic,
+      [&](const std::size_t       point,
+          const unsigned int      i,
+          const std::size_t       place,
+          const VoigtVector<dim> &mechanical) {
+        return material.fractions[i] *
+               ((*material.stiffness)[point] *
+                (mechanical - inelastic.viscous(place)));
+      },
+      rate);
   }
 
 
@@ -116,14 +116,13 @@ namespace Crevasse
     const VoigtMatrix<dim> H = (*material.fluidity[0])[0] / //
                                material.viscosity_factor;
     const Stopwatch watch("strain sweeps");
-    strain_operator.for_each_strain(last.displacement,
-                                    [&](const std::size_t       offset,
-                                        const VoigtVector<dim> &strain) {
-                                      const VoigtVector<dim> stress =
-                                        K * (strain - Field::get(r, offset));
-                                      Field::set(last.stress, offset, stress);
-                                      Field::set(rate, offset, H * stress);
-                                    });
+    strain_operator.for_each_strain( //
+      last.displacement,
+      [&](const std::size_t offset, const VoigtVector<dim> &strain) {
+        const VoigtVector<dim> stress = K * (strain - Field::get(r, offset));
+        Field::set(last.stress, offset, stress);
+        Field::set(rate, offset, H * stress);
+      });
   }
 
 
@@ -168,11 +167,11 @@ namespace Crevasse
 
   template <int dim>
   VoigtVector<dim>
-  Evolution<dim>::known_strain(const Vector     &known,
-                               const std::size_t place,
-                               const double      c) const
+  Evolution<dim>::known_strain(const InelasticStrain<dim> &known,
+                               const std::size_t           place,
+                               const double                c) const
   {
-    VoigtVector<dim> strain = QuadratureField<dim>::get(known, place);
+    VoigtVector<dim> strain = known.viscous(place);
     if (flow != nullptr)
       strain -= c * QuadratureField<dim>::get(flow->strain_rate, place);
     return strain;
@@ -191,7 +190,9 @@ namespace Crevasse
     const double    t = instant_of(time);
     if (instants.material_at(t).creep != nullptr)
       {
-        last_solver = &creep_stage.solve(t, known, c, last, loading);
+        last_solver = &creep_stage.solve(t, known, base, c, last, loading);
+        if (lip_history != nullptr)
+          lip_history->record(t, last);
         creep_stage.rates({instants.material_at(t), known},
                           c,
                           last.stress,
@@ -202,7 +203,7 @@ namespace Crevasse
     const ImplicitInstant<dim>    instant = instants.implicit_at(t, c);
     const AlgorithmicModuli<dim> &moduli  = instant.moduli;
     const double                  k       = instant.material.stiffness_factor;
-    const InelasticStrain<dim>    inelastic(instant.material, known);
+    const InelasticStrain<dim>    inelastic(instant.material, known, base);
 
     std::optional<Stopwatch> watch(std::in_place, "strain sweeps");
     loads.evaluate(t, loading);
@@ -211,11 +212,11 @@ namespace Crevasse
       VoigtVector<dim>  stress = moduli.sum[point] * inelastic.thermal(offset);
       for (unsigned int i = 0; i < inelastic.n_branches; ++i)
         stress += moduli.branches[i][point] *
-                  known_strain(known, inelastic.place(offset, i), c);
+                  known_strain(inelastic, inelastic.place(offset, i), c);
       return k * stress;
     });
     watch.reset();
-    solve(*instant.contact_solver, k);
+    solve(t, *instant.contact_solver, k);
     implicit_rates(instant, known, c, rate);
     ++evaluations;
   }
@@ -266,14 +267,15 @@ namespace Crevasse
                                  const double                c,
                                  Vector                     &rate)
   {
+    const InelasticStrain<dim> inelastic(instant.material, known, base);
     stress_and_rates(
-      InelasticStrain<dim>(instant.material, known),
+      inelastic,
       [&](const std::size_t       point,
           const unsigned int      i,
           const std::size_t       place,
           const VoigtVector<dim> &mechanical) {
         return instant.moduli.branches[i][point] *
-               (mechanical - known_strain(known, place, c));
+               (mechanical - known_strain(inelastic, place, c));
       },
       rate);
   }
@@ -287,10 +289,9 @@ namespace Crevasse
                                    const double       c,
                                    Vector            &values)
   {
-    using Field             = QuadratureField<dim>;
-    const auto &branches    = instants.relaxation_at(instant_of(t), c).branches;
-    const std::size_t n     = Field::n_components;
-    const std::size_t block = n * branches.size();
+    using Field          = QuadratureField<dim>;
+    const auto &branches = instants.relaxation_at(instant_of(t), c).branches;
+    const std::size_t n = Field::n_components, block = n * branches.size();
     for (std::size_t place = 0; place < values.locally_owned_size(); place += n)
       {
         const PhiFunctions<dim> &phi =

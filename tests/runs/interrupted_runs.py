@@ -46,6 +46,9 @@ def cracked_square():
 CASES = {
     "march": periods(8),
     "anderson": REDISTRIBUTES + periods(8) + ["Periodic state/Method=anderson"],
+    "averaged": REDISTRIBUTES + periods(6) + [
+        "Periodic state/Method=averaged", "Time integration/Scheme=sdirk2",
+        "Contact/Solver=condensed active set"],
     "adaptive steps": REDISTRIBUTES + periods(5) + [
         "Time integration/Step control=adaptive",
         "Time integration/Relative tolerance=1e-3"],

@@ -172,7 +172,7 @@ AUTOMATIC = {
                    "Material/Viscous modulus="
                    "13000*600*(1 + 0.5*x*sin(2*pi*t/600))",
                    "Material/Viscous Poisson ratio=0.2"], "heun",
-                  "march (automatic: the viscous strain may not be periodic"),
+                  "averaged (automatic: a march would need many periods"),
     "split off": (["Periodic state/Secular split=off"], "heun",
                   "march (automatic: Secular split = off"),
     "exponential": ([], "exponential",

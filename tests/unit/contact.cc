@@ -11,6 +11,8 @@ condensed_problem();
 void
 contact_solvers();
 void
+lip_shift();
+void
 projected_sor();
 
 int
@@ -20,5 +22,6 @@ main(int argc, char **argv)
                    argv,
                    {{"condensed_problem", condensed_problem},
                     {"contact_solvers", contact_solvers},
+                    {"lip_shift", lip_shift},
                     {"projected_sor", projected_sor}});
 }

@@ -80,6 +80,11 @@ namespace Crevasse
          const double            k,
          const double            kappa = 0.) const;
 
+    /** ∂ṙ/∂s times η₀ under a stress, without hardening:
+     * f/s (H + (λ − 1) Hs⊗Hs / sHs). */
+    VoigtMatrix<dim>
+    fluidity(const VoigtVector<dim> &stress) const;
+
     /** Potential Ω of a stress, see CreepLaw. */
     CreepLaw::DualPotential
     dual_potential(const VoigtVector<dim> &stress) const;

@@ -309,6 +309,7 @@ namespace Crevasse
      * search ends. 0: all maximum_periods are computed. */
     double       tolerance      = 1e-6;
     unsigned int anderson_depth = 15;
+    unsigned int averaged_poles = 2;
     HarmonicRule harmonics      = HarmonicRule::trapezoid;
 
     void

@@ -186,6 +186,7 @@ namespace Crevasse
   {
     march,
     anderson,
+    averaged,
     fourier,
     automatic
   };
@@ -196,13 +197,17 @@ namespace Crevasse
     static constexpr NamedValue<PeriodicMethodType> rows[] = {
       {PeriodicMethodType::march, "march"},
       {PeriodicMethodType::anderson, "anderson"},
+      {PeriodicMethodType::averaged, "averaged"},
       {PeriodicMethodType::fourier, "fourier"},
       {PeriodicMethodType::automatic, "automatic"}};
     static constexpr const char *meaning =
       "Method for the periodic state. \"march\" follows the motion of the "
       "body, period after period, until the stress repeats; \"anderson\" "
       "starts each period from the combination of earlier ones that is closest "
-      "to periodic; \"fourier\" is harmonic balance: all instants at once, if "
+      "to periodic; \"averaged\" corrects each period by the flow of a body "
+      "with the mean fluidity of the period, for relaxation times that lie "
+      "decades apart; \"fourier\" is harmonic balance: all instants at once, "
+      "if "
       "only the loads depend on time and the steps are equal. \"automatic\": "
       "the fastest method that the scene allows, and another one if it fails.";
   };

@@ -115,6 +115,50 @@ namespace Crevasse
       return so_far.return_defect;
     }
 
+    /** From now on a period is integrated as r − r(0), whose increments are
+     * then accurate relative to themselves: see increment(). */
+    void
+    sum_increments()
+    {
+      sums_increments = true;
+    }
+
+    /** r(T) − r(0) of the last period, as the sum of its steps, if these are
+     * summed. */
+    const Vector &
+    increment() const
+    {
+      return sum_of_steps;
+    }
+
+    /** Steps of the last period. */
+    const StepList &
+    time_steps() const
+    {
+      return steps;
+    }
+
+    /** Rule of the steps for the mean over a period. */
+    const TimeQuadrature &
+    quadrature() const
+    {
+      return integrator->properties.quadrature;
+    }
+
+    /** Stresses at the samples of the last period. */
+    const StressHistory &
+    stresses() const
+    {
+      return history;
+    }
+
+    /** Largest stress component of the last period. */
+    double
+    largest_stress() const
+    {
+      return last.largest_stress;
+    }
+
     /** Ignores the ReturnDefect from now on while the whole lip opens. */
     void
     ignore_drift_while_opening()
@@ -185,6 +229,10 @@ namespace Crevasse
     double
     end_period(const Vector &r);
 
+    /** Advances @p r over the steps of a period from first_step on. */
+    void
+    advance(Vector &r);
+
     /** Advances @p r over step @p k.
      *
      * @param is_shown whether the observers see the beginning of the step. */
@@ -201,7 +249,7 @@ namespace Crevasse
 
     /** Sample for observers at the beginning of step @p k, or at the end. */
     Sample
-    sample(const unsigned int k, const Vector &r) const;
+    sample(const unsigned int k, const Vector &r);
 
     void
     show(const Sample &sample) const
@@ -229,8 +277,10 @@ namespace Crevasse
     Vector replay_from;
 
     Vector r_before, u_before; ///< r and u at the beginning of the period
-    bool   ignores_drift = false;
-    bool   lip_opens     = false; ///< whether the whole lip is open and opens
+    Vector sum_of_steps, shown_strain; ///< increment(), r of a sample
+    bool   sums_increments = false;
+    bool   ignores_drift   = false;
+    bool   lip_opens       = false; ///< whether the whole lip is open and opens
 
     // Effort of the current period, including that before it was resumed.
     dealii::Timer            timer;

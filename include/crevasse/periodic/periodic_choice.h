@@ -32,14 +32,16 @@ namespace Crevasse
     bool
     needs_periodic_strain() const
     {
-      return method != PeriodicMethodType::march;
+      return method != PeriodicMethodType::march &&
+             method != PeriodicMethodType::averaged;
     }
 
     /** Whether earlier periods are iterates of the search, not motions. */
     bool
     periods_are_iterates() const
     {
-      return method == PeriodicMethodType::anderson;
+      return method == PeriodicMethodType::anderson ||
+             method == PeriodicMethodType::averaged;
     }
 
     /** Method and reason, one line for the log. */
@@ -55,8 +57,9 @@ namespace Crevasse
   /**
    * Chooses the method that the scene asks for. "automatic" takes harmonic
    * balance if only the loads depend on time (as a mere start for schemes other
-   * than the trapezoidal one); else Anderson acceleration, or march if r may
-   * flow in an unknown way. Collective.
+   * than the trapezoidal one); else Anderson acceleration. If r may flow in an
+   * unknown way, it takes averaged steps where a march would need many periods
+   * and creep is linear, else march. Collective.
    *
    * @param steps steps with their jumps set.
    * @param largest_relaxation_time if less than a tenth of the period, Anderson

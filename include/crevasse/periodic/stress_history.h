@@ -24,6 +24,13 @@ namespace Crevasse
     void
     record(const double t, const Vector &stress);
 
+    /** Stress at the instant @p t of the last period, which was recorded. */
+    const Vector &
+    at(const double t) const
+    {
+      return samples.lower_bound(t - rounding)->second.stress;
+    }
+
     /** Ends a period and returns the largest change of stress since the last
      * call, relative to the largest stress component (0 if all stress is zero),
      * over all ranks and all instants that the period before had too. In the

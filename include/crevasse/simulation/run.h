@@ -176,6 +176,9 @@ namespace Crevasse
                         Checkpointer                  &writer,
                         const PeriodicResult          &before,
                         const unsigned int             last_period);
+    void
+    correct_by_average(ObservedPeriods<dim>   &periods,
+                       const UnilateralBounds &bounds);
   };
 } // namespace Crevasse
 

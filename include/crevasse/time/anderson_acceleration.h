@@ -53,6 +53,9 @@ namespace Crevasse
     {
       unsigned int depth; ///< largest number of differences
       bool         follows_drift = false;
+      /** Whether G moves no two points apart, so that points can be found to be
+       * impossible. */
+      bool contracts = true;
     };
 
     /** Numbers of steps that do not simply combine all differences. */
@@ -70,6 +73,18 @@ namespace Crevasse
     /** Stores a point @p x and its image G(x). */
     void
     add(const Vector &x, const Vector &image);
+
+    /** The same with the part of G(x) − x that is to vanish: combinations make
+     * this residual small. For maps that are not known to contract. */
+    void
+    add_measured(const Vector &image, const Vector &residual);
+
+    /** Forgets all points. */
+    void
+    forget()
+    {
+      pairs.clear();
+    }
 
     /** Computes the next point @p x. */
     void
@@ -100,6 +115,10 @@ namespace Crevasse
       Vector image, residual;
       double slowness = 0.; ///< |Δx| / |Δf| to the last pair
     };
+
+    /** Stores a pair instead of the oldest one beyond the depth. */
+    void
+    keep(Pair &&pair);
 
     /** Computes @p x from factorised differences of residuals and from
      * differences of images; sets the unexplained residual. */

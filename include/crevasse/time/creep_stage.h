@@ -52,6 +52,7 @@ namespace Crevasse
      * Solves for displacement, stress and contact forces.
      *
      * @param t instant within the period.
+     * @param base strain from which @p known counts, or null.
      * @param[in,out] state last state; on return the solution.
      * @param[out] right_hand_side b
      * @return the solver of the last variational inequality.
@@ -60,6 +61,7 @@ namespace Crevasse
     ContactSolver &
     solve(const double  t,
           const Vector &known,
+          const Vector *base,
           const double  c,
           State        &state,
           Vector       &right_hand_side);

@@ -8,6 +8,7 @@
 #include <crevasse/time/creep_stage.h>
 #include <crevasse/time/inelastic_strain.h>
 #include <crevasse/time/instant_provider.h>
+#include <crevasse/time/lip_history.h>
 #include <crevasse/time/rate_equation.h>
 #include <crevasse/time/state.h>
 #include <crevasse/time/step_list.h>
@@ -62,6 +63,30 @@ namespace Crevasse
     begin_step(const double t)
     {
       step_begin = t;
+    }
+
+    /** Counts viscous strains of the equation from a strain r₀ from now on:
+     * integrators see d = r − r₀, with its own relative accuracy, however
+     * large r₀ is. Not for creep that hardens.
+     * @param strain r₀, which must outlive its use, or null. */
+    void
+    count_from(const Vector *strain)
+    {
+      base = strain;
+    }
+
+    bool
+    counts_from_strain() const
+    {
+      return base != nullptr;
+    }
+
+    /** Records the lip at all evaluations from now on, or no longer if
+     * @p history is null. */
+    void
+    record(LipHistory *history)
+    {
+      lip_history = history;
     }
 
     /** Flow that is split off, or null. */
@@ -175,9 +200,11 @@ namespace Crevasse
     const StrainOperator<dim> &strain_operator;
     const ExternalLoads<dim>  &loads;
     InstantProvider<dim>      &instants;
-    const SecularFlow         *flow       = nullptr; ///< null: unsplit
-    const StepList            *period     = nullptr; ///< null: any time
-    double                     step_begin = 0.;
+    const SecularFlow         *flow        = nullptr; ///< null: unsplit
+    const StepList            *period      = nullptr; ///< null: any time
+    const Vector              *base        = nullptr; ///< r₀, or null
+    LipHistory                *lip_history = nullptr; ///< null: not recorded
+    double                     step_begin  = 0.;
 
     /** Instant within the period at which @p t is evaluated. */
     double
@@ -195,17 +222,18 @@ namespace Crevasse
                      const Instant<dim> &instant,
                      const Vector       &r);
 
-    /** Solves the variational inequality for q with the right-hand side b.
+    /** Solves the variational inequality for q with the right-hand side b of
+     * the instant @p t.
      *
      * @param k factor of the contact solver's stiffness. */
     void
-    solve(ContactSolver &contact_solver, const double k);
+    solve(const double t, ContactSolver &solver, const double k);
 
     /** Known strain r̂ᵢ − cαᵢ of the point and branch at offset @p place. */
     VoigtVector<dim>
-    known_strain(const Vector     &known,
-                 const std::size_t place,
-                 const double      c) const;
+    known_strain(const InelasticStrain<dim> &known,
+                 const std::size_t           place,
+                 const double                c) const;
 
     /** Computes stress and rates for the last displacement.
      *

@@ -16,10 +16,14 @@ namespace Crevasse
     using Field                     = QuadratureField<dim>;
     static constexpr unsigned int n = Field::n_components;
 
-    /** @param r viscous strain, empty if there is none. */
-    InelasticStrain(const MaterialState<dim> &material, const Vector &r)
+    /** @param r viscous strain, empty if there is none.
+     * @param base strain from which r counts, or null. */
+    InelasticStrain(const MaterialState<dim> &material,
+                    const Vector             &r,
+                    const Vector             *base = nullptr)
       : material(material)
       , r(r)
+      , base(base)
       , n_branches(r.size() == 0 ? 0 : material.fluidity.size())
     {
     }
@@ -28,6 +32,14 @@ namespace Crevasse
     place(const std::size_t offset, const unsigned int i) const
     {
       return offset * n_branches + i * n;
+    }
+
+    /** rᵢ of the point and branch whose strain is at offset @p place. */
+    VoigtVector<dim>
+    viscous(const std::size_t place) const
+    {
+      return base == nullptr ? Field::get(r, place)
+                             : Field::get(r, place) + Field::get(*base, place);
     }
 
     /** Thermal strain χθ. */
@@ -43,7 +55,7 @@ namespace Crevasse
     VoigtVector<dim>
     branch(const std::size_t offset, const unsigned int i) const
     {
-      const VoigtVector<dim> state = Field::get(r, place(offset, i));
+      const VoigtVector<dim> state = viscous(place(offset, i));
       return material.hardens ? (*material.creep)[offset / n].strain(state)
                               : state;
     }
@@ -60,6 +72,7 @@ namespace Crevasse
 
     const MaterialState<dim> &material;
     const Vector             &r;
+    const Vector             *base;
     const unsigned int        n_branches;
   };
 } // namespace Crevasse

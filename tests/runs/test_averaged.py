@@ -1,0 +1,261 @@
+"""The periodic state by the averaged body: bodies whose relaxation times lie many
+decades apart, with and without contact, against marches and against themselves."""
+
+from averaged_scenes import scene
+from crevasse_run import (SOURCE, check, check_below, execute, full, overrides, run,
+                          run_on, tier)
+from periodic_scenes import (BODY, COMMON, PROBES, compute, difference,
+                             largest_stress, method, period, steps, traction)
+
+MESH = ["Geometry/Subdivisions=6, 4"]
+OPEN = ["Geometry/Shape=rectangle", "Output/Probes=top: 0.25, 1; body: 0.3, 0.6"]
+WARM = ["Material/Thermal expansion=1e-5",
+        "Loads/Temperature=30*(1 - cos(2*pi*t/600))*x^2"]
+LOAD = [traction("0; 10*sin(2*pi*t/600) - 2")]
+
+
+def relaxation(decades, varying=0., hot=30.):
+    """Relaxation times that grow from right to left, and of the given part of the
+    decades also within the period."""
+    place = f"(1 - x^2*({1 - varying} + {varying}*0.5*(1 - cos(2*pi*t/600))))"
+    return [f"Material/Relaxation time={hot}*10^({decades}*{place})"]
+
+
+def averaged(poles=2, tolerance=1e-9, periods=40, depth=15):
+    return method("averaged", "sdirk2", tolerance, periods) + [
+        f"Periodic state/Averaged poles={poles}",
+        f"Periodic state/Anderson depth={depth}"]
+
+
+def bodies(decades):
+    """Loads and materials by name."""
+    return {
+        "presses": LOAD + relaxation(decades),
+        "varies": LOAD + WARM + relaxation(decades, 0.3),
+        "opens": [traction("0; 10*sin(2*pi*t/600) + 3")] + relaxation(decades),
+        "closed": [traction("0; 10*sin(2*pi*t/600) - 20")]
+        + relaxation(decades, 0.3),
+        "gap": LOAD + relaxation(decades) + ["Boundary/Gap=-0.0003"],
+        "chain": LOAD + [
+            "Material/Viscosity=chain",
+            f"Material/Chain=0.6: 30*10^({decades}*(1-x^2)); 0.4: 300"],
+        "spring": LOAD + WARM + [
+            "Material/Viscosity=chain",
+            f"Material/Chain=0.5: 30*10^({decades}*(1-x^2)); 0.3: 300"],
+        "stiffness": LOAD + WARM + relaxation(decades, 0.3) + [
+            "Material/Young modulus=13000*(1 - 0.004*theta)"],
+        "factors": LOAD + relaxation(decades) + [
+            "Material/Stiffness time factor=1 + 0.3*sin(2*pi*t/600)",
+            "Material/Viscosity time factor=1 + 0.5*cos(2*pi*t/600)"]}
+
+
+def test_contraction():
+    """Without contact and without acceleration the error shrinks in each period
+    by what the poles promise."""
+    for poles, bound in ((1, 0.30), (2, 0.03)):
+        for decades in tier((0, 3, 6, 10), range(11)):
+            for hot in (30., 3000.):
+                found = compute("contraction", MESH + OPEN + steps(40) + WARM + [
+                    traction("0; 10*sin(2*pi*t/600)*x")] + relaxation(
+                        decades, hot=hot) + averaged(poles, 1e-9, depth=0))
+                errors = found.summary["stress_error_estimate"]
+                check_below((errors[-1] / errors[1])**(1 / (len(errors) - 2)), bound,
+                            f"{poles} poles, {decades} decades from {hot} s: "
+                            f"{len(errors)} periods, contraction")
+
+
+def test_march():
+    """The stress of a march, to 1e-8."""
+    for name, body in bodies(tier(2, 3)).items():
+        settings = MESH + steps(20) + body
+        marched = compute("marched", settings + method(
+            "march", "sdirk2", 1e-10, 5000))
+        found = compute("averaged", settings + averaged(2, 1e-10))
+        print(f"{found.summary['periods']} periods, march "
+              f"{marched.summary['periods']}")
+        check_below(difference(marched, found), 1e-8, f"{name}: difference")
+
+
+def test_fixed_points():
+    """One pole, two poles, with and without acceleration end at the same stress,
+    of bodies of which most never comes to rest in a march."""
+    for name, body in bodies(8).items():
+        ways = {"two poles": averaged(2, 1e-10), "one pole": averaged(1, 1e-10),
+                "two poles alone": averaged(2, 1e-10, depth=0)}
+        found = {way: compute("_".join([name, way]).replace(" ", "_"),
+                              MESH + steps(20) + body + words)
+                 for way, words in ways.items()}
+        print(name, {way: f.summary["periods"] for way, f in found.items()})
+        for way in list(ways)[1:]:
+            check_below(difference(found["two poles"], found[way]), 1e-8,
+                        f"{name}, {way}: difference")
+        check(found["two poles"].summary["periods"] <= 15, "a few periods")
+
+
+def test_error_estimate():
+    """What is estimated is the error of each period, not only of the last one."""
+    found = compute("found", MESH + steps(20) + LOAD + relaxation(6, 0.3)
+                    + averaged(2, 1e-10))
+    for k, estimate in enumerate(found.summary["stress_error_estimate"]):
+        error = max(
+            abs(a - b) for probe in PROBES for column in ("s_11", "s_22", "s_12")
+            for a, b in zip(period(found, f"probe_{probe}.csv", column),
+                            period(found, f"probe_{probe}.csv", column, k))
+        ) / largest_stress(found)
+        print(f"period {k + 1}: error {error:.1e}, estimated {estimate:.1e}")
+        check(k < 2 or estimate < 1e-7 or 0.58 * estimate < error < 1.5 * estimate,
+              "as large as estimated")
+
+
+@full
+def test_random_bodies():
+    """Ten random bodies of the benchmark: few periods to a true error of 1e-6."""
+    for seed in range(10, 20):
+        exact = compute("exact", scene(seed) + method("averaged", "sdirk2", 1e-11, 60))
+        found = compute("found", scene(seed) + method("averaged", "sdirk2", 2e-7, 15))
+        check_below(difference(exact, found), 1e-6,
+                    f"body {seed}: {found.summary['periods']} periods, true error")
+
+
+def test_ranks():
+    settings = (COMMON + MESH + steps(20) + LOAD + relaxation(6, 0.3)
+                + averaged(2, 1e-9))
+    one = run(BODY, "one", settings)
+    two = run_on(2, BODY, "two", settings)
+    check(one.summary["periods"] == two.summary["periods"], "periods")
+    check_below(difference(one, two), 1e-9, "two ranks: difference")
+
+
+def power_law(n, decades, varying=0.5, mean=-2, state="plane stress"):
+    """Creep that at 10 takes 0.3 periods in the hot place."""
+    place = f"(1 - x^2*({1 - varying} + {varying}*0.5*(1 - cos(2*pi*t/600))))"
+    return ["Material/Viscosity=power law", f"Material/Creep exponent={n}",
+            f"Material/Plane state={state}",
+            "Material/Creep coefficient="
+            f"1/(13000*180*10^({n}-1))*10^(-{decades}*{place})",
+            traction(f"0; 10*sin(2*pi*t/600) + {mean}")]
+
+
+def test_power_law():
+    """Creep whose fluidity depends on the stress, to 1e-6 in 20 periods, and the
+    stress of a march."""
+    for state in ("plane stress", "plane strain"):
+        for n in (3, 5):
+            for decades, mean in ((4, -2), (8, -2), (8, 2)):
+                found = compute("found", MESH + steps(40) + power_law(
+                    n, decades, mean=mean, state=state) + averaged(tolerance=1e-6))
+                check(found.summary["periods"]
+                      <= (20 if state == "plane stress" else 25), "a few periods")
+                print(f"n = {n}, {decades} decades, mean {mean}, {state}: "
+                      f"{found.summary['periods']} periods")
+    # Where hardly any stress is, a march in plane strain takes too long.
+    for state, tolerance in (("plane stress", 1e-8), ("plane strain", 1e-4)):
+        settings = MESH + steps(20) + power_law(3, 1, state=state)
+        marched = compute("marched", settings + method(
+            "march", "sdirk2", tolerance, 5000))
+        found = compute("found", settings + averaged(tolerance=1e-9))
+        check_below(difference(marched, found), 10 * tolerance,
+                    f"{state}: difference")
+
+
+def test_singular_fluidity():
+    """Creep that keeps the volume."""
+    settings = MESH + steps(20) + LOAD + [
+        "Material/Plane state=plane strain", "Material/Viscosity=isotropic",
+        "Material/Viscous Poisson ratio=0.5",
+        "Material/Viscous modulus=13000*30*10^(1.5*(1-x^2))"]
+    marched = compute("marched", settings + method("march", "sdirk2", 1e-9, 5000))
+    found = compute("found", settings + averaged(tolerance=1e-10))
+    print(f"{found.summary['periods']} periods, march {marched.summary['periods']}")
+    check_below(difference(marched, found), 1e-8, "difference")
+
+
+def test_steps_and_solvers():
+    """Steps that end where contact changes, adaptive steps, explicit steps, and
+    contact solvers that do not condense."""
+    settings = MESH + steps(20) + LOAD + relaxation(1.5, 0.3)
+    explicit = ["Time integration/Scheme=heun", "Time integration/Steps per period=80"]
+    for name, more, allowed in (
+            ("events", ["Time integration/Locate contact events=true"], 1e-7),
+            ("heun", explicit, 1e-8),
+            ("active set", ["Contact/Solver=active set"], 1e-8),
+            ("sor", ["Contact/Solver=projected sor", "Contact/Tolerance=1e-12"], 1e-8)):
+        marched = compute("marched", settings + method(
+            "march", "sdirk2", 1e-9, 5000) + more)
+        found = compute("found", settings + averaged(tolerance=1e-10) + more)
+        print(f"{name}: {found.summary['periods']} periods, "
+              f"march {marched.summary['periods']}")
+        check_below(difference(marched, found), allowed, f"{name}: difference")
+    more = ["Time integration/Step control=adaptive",
+            "Time integration/Relative tolerance=1e-4"]
+    ends = [compute(name, settings + way + more).table("probe_body.csv")["s_22"][-1]
+            for name, way in (("marched", method("march", "sdirk2", 1e-7, 5000)),
+                              ("found", averaged(tolerance=1e-8)))]
+    check_below(abs(ends[0] - ends[1]) / abs(ends[0]), 1e-3, "adaptive: difference")
+    hot = MESH + steps(20) + LOAD + relaxation(8, 0.3)
+    for name, more in (("uniform", []), ("adaptive", more)):
+        found = compute(name, hot + averaged(tolerance=1e-6) + more)
+        print(f"{name} steps: {found.summary['periods']} periods")
+        check(found.summary["periods"] <= 12, "a few periods")
+
+
+def test_cost():
+    """A period takes two back-solves with one pole, three with two, beside those of
+    its steps, and each pole one factor once."""
+    def counters(way):
+        found = compute("cost", MESH + steps(20) + LOAD + relaxation(6) + way)
+        return found.summary["counters"]
+
+    for poles in (1, 2):
+        few, many = (averaged(poles, 0, n) for n in (2, 6))
+        march_few, march_many = (method("march", "sdirk2", 0, n) for n in (2, 6))
+        solves = [counters(way)["linear_solves"]
+                  for way in (few, many, march_few, march_many)]
+        factors = [counters(way)["factorisations"] for way in (many, march_many)]
+        check(solves[1] - solves[0] - (solves[3] - solves[2]) == 4 * (poles + 1),
+              f"{poles} poles: back-solves {solves}")
+        check(factors[0] - factors[1] <= poles + 1, f"factors {factors}")
+
+
+def test_thermal_fatigue():
+    """The shipped scene takes averaged steps by itself; with amg a lip marches."""
+    plate = SOURCE / "prm/thermal_fatigue.prm"
+    probes = ["Output/Probes=edge: 50, 25; inside: 30, 10; cold: 5, 30"]
+    found = run(plate, "found", probes)
+    exact = run(plate, "exact", probes + ["Periodic state/Tolerance=1e-11"])
+    check(found.summary["converged"] and found.summary["periods"] <= 10,
+          "a few periods")
+    check_below(difference(exact, found, probes=("edge", "inside", "cold")), 1e-6,
+                f"{found.summary['periods']} periods: true error")
+    marched = run(plate, "marched", probes + ["Linear solver/Type=amg",
+                                              "Contact/Solver=active set",
+                                              "Periodic state/Maximum periods=2"], 3)
+    check("march takes over" in (marched.directory / "log.txt").read_text(),
+          "a march without a direct solver")
+
+
+def test_refusals():
+    for setting, reason in (
+            (["Material/Viscosity=strain hardening", "Material/Creep exponent=5",
+              "Material/Hardening exponent=2", "Material/Creep coefficient=1e-11"],
+             "hardens"),
+            (["Contact/Solver=active set", "Linear solver/Type=amg"], "cholesky"),
+            (["Time integration/Scheme=arkode implicit"], "does not tell its stages")):
+        code, _, error = execute(BODY, "--output", "results/refused", *overrides(
+            COMMON + MESH + LOAD + averaged() + setting))
+        check(code == 2 and reason in error, f"{reason}: {code}, {error}")
+
+
+if __name__ == "__main__":
+    test_contraction()
+    test_march()
+    test_fixed_points()
+    test_error_estimate()
+    test_power_law()
+    test_singular_fluidity()
+    test_steps_and_solvers()
+    test_cost()
+    test_random_bodies()
+    test_ranks()
+    test_thermal_fatigue()
+    test_refusals()
