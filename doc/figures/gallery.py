@@ -37,6 +37,8 @@ PLANE = {
     "raous1980": Scene(FINE),
     "thermal_fatigue": Scene(("Output/Field times=0",)),
     "ageing": Scene(),
+    "coated_blade": Scene(),
+    "concrete": Scene(),
     "bimaterial": Scene(),
     "crack_growth": Scene(("Output/Fields=vtu", "Output/Field times=12")),
     "power_law": Scene(),

@@ -19,7 +19,7 @@ import numpy
 
 from study import ROOT, print_table, study_options  # first: finds the package
 
-from crevasse.plotting import BLUE, GREY, INK, VERMILION, pyplot, save
+from crevasse.plotting import BLUE, GREEN, GREY, INK, VERMILION, pyplot, save
 
 STUDIES = ROOT / "prm" / "studies"
 PERIOD, STEPS = 600, 40
@@ -35,9 +35,10 @@ CASES = {"a": ("periodic_zero_mean", "{0:g}"),
          "c": ("periodic_two_materials", "if(x < 0.5, {0:g}, {1:g})")}
 NAMES = {"a": "a: without mean load", "b": "b: compressive mean load",
          "c": "c: two materials"}
-STYLES = {"march": (GREY, "o"), "anderson": (BLUE, "s"),
+STYLES = {"march": (GREY, "o"), "anderson": (BLUE, "s"), "averaged": (GREEN, "D"),
           "fourier": (VERMILION, "*")}
 ANDERSON_PERIODS = 200
+AVERAGED_PERIODS = 20
 
 
 def march_periods(ratio, refinements):
@@ -82,7 +83,6 @@ class Studies:
 
     def run(self, case, ratio, refinements, scheme, method, *, periods,
             tolerance=0):
-        """Of a method, or "anderson from fourier"."""
         scene, relaxation_time = CASES[case]
         tau = ratio * PERIOD
         settings = {
@@ -90,9 +90,7 @@ class Studies:
             "Geometry/Refinements": refinements,
             "Time integration/Scheme": scheme,
             "Time integration/Steps per period": STEPS,
-            "Periodic state/Method": method.split(" from ")[0],
-            "Periodic state/Start from":
-                "fourier" if "from fourier" in method else "rest",
+            "Periodic state/Method": method,
             "Periodic state/Maximum periods": periods,
             "Periodic state/Tolerance": f"{tolerance:g}"}
         directory = self.output / (f"{case}_{ratio:g}_{refinements}_{scheme}_"
@@ -138,12 +136,11 @@ class Studies:
                 ratio, refinements))
         runs["anderson"] = self.run(*point, "anderson",
                                     periods=ANDERSON_PERIODS)
+        runs["averaged"] = self.run(*point, "averaged", periods=AVERAGED_PERIODS)
         if scheme == "trapezoid":
             runs["fourier"] = self.run(*point, "fourier", periods=1)
             return runs, runs["fourier"]
-        started = "anderson from fourier"
-        runs[started] = self.run(*point, started, periods=ANDERSON_PERIODS)
-        return runs, self.run(*point, started, periods=300, tolerance=1e-12)
+        return runs, self.run(*point, "averaged", periods=300, tolerance=1e-12)
 
 
 def stresses(directory, n_periods):
@@ -208,9 +205,9 @@ def estimates(studies):
     print("With Tolerance = 1e-6: periods, estimated and true error\n")
     header, rows = ["", "τ/T"], []
     columns = (("march", "heun", 0), ("anderson", "heun", 0),
-               ("anderson from fourier", "heun", 0),
+               ("averaged", "heun", 0),
                ("anderson", "trapezoid", 0), ("anderson", "trapezoid", 2),
-               ("anderson from fourier", "heun", 2))
+               ("averaged", "heun", 2))
     for method, scheme, refinements in columns:
         header.append(f"{method}, {MESHES[refinements]}, {scheme}")
     for case in CASES:
@@ -256,7 +253,7 @@ def draw_work(studies, directory, formats):
                             numpy.maximum(errors[:last], 1e-11),
                             color=colour, label=method, linewidth=1.3,
                             marker=marker, markersize=3,
-                            markevery=1 if method == "anderson" else [0])
+                            markevery=1 if method != "march" else [0])
             axes.set_title(rf"{NAMES[case]}, $\tau/T = {ratio}$", fontsize=9)
             axes.grid(True, which="major", alpha=0.25, linewidth=0.6)
     for axes in panels[1]:

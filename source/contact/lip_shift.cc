@@ -17,8 +17,10 @@ namespace Crevasse
     : n(stiffness.m())
     , weights(weights)
     , inverse(stiffness)
-    , sigma(stiffness)
+    , diagonal(n)
   {
+    for (unsigned int i = 0; i < n; ++i)
+      diagonal(i) = stiffness(i, i);
     inverse.invert();
     // LAPACK's inverse is symmetric but for rounding.
     for (unsigned int i = 0; i < n; ++i)
@@ -181,28 +183,16 @@ namespace Crevasse
     // Nodes without a force at any instant leave the slope singular.
     for (unsigned int i = 0; i < n; ++i)
       system(i, i) +=
-        small * (system(i, i) > 0. ? system(i, i) : soft * sigma(i, i));
+        small * (system(i, i) > 0. ? system(i, i) : soft * diagonal(i));
     system.compute_lu_factorization();
     system.solve(excess);
   }
 
 
 
-  LipShift::LipVector
-  LipShift::spring_force(const Goal &goal, const LipVector &c) const
-  {
-    LipVector force(n), away = c;
-    away -= goal.position;
-    away *= goal.multiple;
-    sigma.vmult(force, away);
-    return force;
-  }
-
-
-
   bool
   LipShift::approach(const std::vector<LipVector> &openings,
-                     const Goal                   &goal,
+                     const LipVector              &target,
                      const double                  small_force,
                      LipVector                    &c) const
   {
@@ -213,23 +203,16 @@ namespace Crevasse
       {
         Response  response = respond(openings, c);
         LipVector excess   = response.mean;
-        excess -= goal.force;
-        if (goal.multiple > 0.)
-          {
-            excess -= spring_force(goal, c);
-            for (unsigned int i = 0; i < n; ++i)
-              for (unsigned int j = 0; j < n; ++j)
-                response.slope(i, j) += goal.multiple * sigma(i, j);
-          }
+        excess -= target;
         Set  idle(n, false);
         bool is_solved = true;
         for (unsigned int i = 0; i < n; ++i)
           {
             is_solved =
               is_solved && std::abs(excess(i)) <=
-                             accuracy * std::max(goal.force(i), small_force);
-            idle[i] = goal.multiple == 0. && goal.force(i) > 0. &&
-                      response.mean(i) <= idle_part * goal.force(i);
+                             accuracy * std::max(target(i), small_force);
+            idle[i] =
+              target(i) > 0. && response.mean(i) <= idle_part * target(i);
           }
         if (is_solved)
           return true;
@@ -248,26 +231,24 @@ namespace Crevasse
 
   LipShift::LipVector
   LipShift::solve(const std::vector<LipVector> &openings,
-                  const Goal                   &goal) const
+                  const LipVector              &target) const
   {
     constexpr double small = 1e-3, rounding = 1e-4, least_part = 1e-4;
     const LipVector  start = mean_force(openings);
     // Forces that are rounding of what the lip could bear are as good as none.
     LipVector held = reach_of(openings);
     for (unsigned int i = 0; i < n; ++i)
-      held(i) *= sigma(i, i);
+      held(i) *= diagonal(i);
     const double small_force =
-      std::max(small * std::max(goal.force.linfty_norm(), start.linfty_norm()),
+      std::max(small * std::max(target.linfty_norm(), start.linfty_norm()),
                rounding * held.linfty_norm());
-    Goal      wanted = goal;
-    LipVector c(n), trial;
+    LipVector c(n), trial, wanted;
     double    done = 0., part = 1.;
     while (done < 1.)
       {
         const double next = std::min(1., done + part);
-        wanted.force      = start;
-        wanted.force.sadd(1. - next, next, goal.force);
-        wanted.position.equ(next, goal.position);
+        wanted            = start;
+        wanted.sadd(1. - next, next, target);
         trial = c;
         if (approach(openings, wanted, small_force, trial))
           {
@@ -283,6 +264,62 @@ namespace Crevasse
             break;
           }
       }
+    return c;
+  }
+
+
+
+  LipShift::LipVector
+  LipShift::follow(const std::vector<LipVector> &openings,
+                   const FullMatrix<double>     &B,
+                   const LipVector              &position,
+                   LipVector                    &force) const
+  {
+    constexpr double       accuracy = 1e-11, decrease = 0.1, shortest = 1e-3;
+    constexpr unsigned int most = 60;
+    LipVector              c(n), by_force(n), left, trial, trial_left(n);
+    const auto             residual = [&](const LipVector &shift,
+                              const Response  &response) {
+      LipVector excess = force, value = position;
+      excess -= response.mean;
+      B.vmult(by_force, excess);
+      value -= by_force;
+      value -= shift;
+      return value; // minus the residual of the shift
+    };
+    B.vmult(by_force, force);
+    const double small = accuracy * (position.l2_norm() + by_force.l2_norm());
+    Response     response = respond(openings, c);
+    left                  = residual(c, response);
+    unsigned int k        = 0;
+    for (; k < most && left.l2_norm() > small; ++k)
+      {
+        FullMatrix<double> slope(n, n);
+        B.mmult(slope, response.slope);
+        for (unsigned int i = 0; i < n; ++i)
+          slope(i, i) += 1.;
+        LAPACKFullMatrix<double> system(n);
+        system = slope;
+        system.compute_lu_factorization();
+        LipVector step = left;
+        system.solve(step);
+        for (double length = 1.;; length /= 2.)
+          {
+            trial = c;
+            trial.add(length, step);
+            response   = respond(openings, trial);
+            trial_left = residual(trial, response);
+            if (length < shortest ||
+                trial_left.l2_norm() <=
+                  (1. - decrease * length) * left.l2_norm())
+              break;
+          }
+        c    = trial;
+        left = trial_left;
+      }
+    if (k == most)
+      ++unsolved;
+    force = response.mean;
     return c;
   }
 } // namespace Crevasse

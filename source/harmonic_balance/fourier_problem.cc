@@ -176,8 +176,7 @@ namespace Crevasse
   {
     Problems problems;
     for (const std::string &obstacle : fourier_obstacles(scene, body, steps))
-      problems.add(
-        "[Periodic state] Method or Start from = fourier: " + obstacle + ".");
+      problems.add("[Periodic state] Method = fourier: " + obstacle + ".");
     problems.throw_if_any();
   }
 

@@ -307,7 +307,7 @@ namespace Crevasse
             branches.push_back({1., fluidity_of_matrix<dim>(parameters)});
             break;
           case ViscosityType::chain:
-            for (const ChainBranch &branch : *parameters.chain)
+            for (const ChainBranch &branch : parameters.branches())
               branches.push_back(
                 {branch.fraction,
                  proportional_fluidity<dim>(parameters,

@@ -264,7 +264,7 @@ namespace Crevasse
       }
     std::vector<Expression> formulas = stiffness_formulas(material);
     if (material.viscosity == ViscosityType::chain)
-      for (const ChainBranch &branch : *material.chain)
+      for (const ChainBranch &branch : material.branches())
         formulas.push_back(branch.relaxation_time);
     else
       formulas.push_back(*material.relaxation_time);

@@ -227,6 +227,11 @@ namespace Crevasse
       "Viscosity time factor",
       "Factor of the viscosity, uniform in space." + factor,
       prm);
+    chain_shift.add_parameter(
+      "Chain shift",
+      "Factor of all relaxation times of the chain, such as "
+      "exp(-0.25*theta).",
+      prm);
     chain.add_parameter(
       "Chain",
       "Maxwell bodies in parallel: for each its fraction of the stiffness and "

@@ -107,6 +107,46 @@ namespace Crevasse
 
 
   void
+  PeriodicStateParameters::check(Problems &problems) const
+  {
+    const Checker checker(section, problems);
+    const auto   &quantity = converged_quantity;
+    checker.demand(quantity == "stress" || quantity == "K_I" ||
+                     quantity == "opening" || quantity.rfind("probe ", 0) == 0,
+                   "Converged quantity",
+                   "= " + quantity +
+                     " must be stress, K_I, opening, or probe and the name of "
+                     "a probe");
+    checker.demand(std::is_sorted(missions.begin(),
+                                  missions.end(),
+                                  std::less_equal<>()),
+                   "Missions",
+                   "must increase, as in 10, 100, 1000");
+    checker.demand(missions.empty() ||
+                     method == PeriodicMethodType::automatic ||
+                     method == PeriodicMethodType::averaged,
+                   "Missions",
+                   "leaps by the averaged body: set Method = automatic or "
+                   "averaged");
+  }
+
+
+
+  std::vector<ChainBranch>
+  MaterialParameters::branches() const
+  {
+    std::vector<std::string> shifted;
+    for (const std::string &body : Text::split(chain.text(), ';'))
+      if (const std::size_t time = body.find(':') + 1; time > 0)
+        shifted.push_back(body.substr(0, time) + '(' + body.substr(time) +
+                          ")*(" + chain_shift.text() + ')');
+    return chain_shift.text() == "1" ? *chain
+                                     : parse_chain(Text::join(shifted, ";"));
+  }
+
+
+
+  void
   MaterialParameters::check(Problems &problems) const
   {
     const Checker checker(section, problems);
@@ -140,6 +180,7 @@ namespace Crevasse
           break;
         case ViscosityType::chain:
           checker.demand_valid("Chain", chain);
+          checker.demand_valid("Chain shift", chain_shift);
           checker.demand(!chain.text().empty(),
                          "Chain",
                          "must be given with Viscosity = chain: a list such as "

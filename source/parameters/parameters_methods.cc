@@ -206,7 +206,6 @@ namespace Crevasse
   PeriodicStateParameters::add_parameters(ParameterHandler &prm)
   {
     add_selection("Method", method, prm);
-    add_selection("Start from", start_from, prm);
     add_selection("Secular split", secular_split, prm);
     prm.add_parameter("Maximum periods",
                       maximum_periods,
@@ -231,6 +230,26 @@ namespace Crevasse
                       "1 less memory.",
                       Integer(1, 2));
     add_selection("Harmonics", harmonics, prm);
+    prm.add_parameter(
+      "Converged quantity",
+      converged_quantity,
+      "What Tolerance is for: \"stress\" at all points, \"K_I\" of all tips, "
+      "the largest \"opening\" of the lip, or the stress at a \"probe NAME\"; "
+      "relative to its largest value in the period.");
+    prm.add_parameter(
+      "Missions",
+      missions,
+      "Numbers of periods of the motion from rest, increasing, as in \"10, "
+      "100, 1000\": these periods are computed instead of the periodic state, "
+      "each with a row in missions.csv. Periods between them are leapt over.",
+      List(Integer(1), 0, List::max_int_value));
+    prm.add_parameter("Mission tolerance",
+                      mission_tolerance,
+                      "Largest difference, relative to the largest stress, of "
+                      "a leap over periods and of two leaps over half of them, "
+                      "which are extrapolated.",
+                      NumberPattern(
+                        {1e-6, Ranges::below_1, "at least 1e-6, less than 1"}));
   }
 
 

@@ -199,12 +199,10 @@ namespace Crevasse
       Checker(PeriodicStateParameters::section, problems)
         .demand(periodic.secular_split != SecularSplitType::off ||
                   (periodic.method != PeriodicMethodType::anderson &&
-                   periodic.method != PeriodicMethodType::fourier &&
-                   periodic.start_from != StartFrom::fourier),
+                   periodic.method != PeriodicMethodType::fourier),
                 "Secular split",
                 "leaves the secular flow in the viscous strain, which needs "
-                "Method = march and Start from = rest; otherwise set Secular "
-                "split = automatic");
+                "Method = march; otherwise set Secular split = automatic");
     }
 
 
@@ -269,10 +267,6 @@ namespace Crevasse
       demand(scene.periodic_state.method == PeriodicMethodType::march,
              "unless [Periodic state] Method = march: other methods compare "
              "states on one mesh");
-      demand(scene.periodic_state.start_from == StartFrom::rest,
-             "with [Periodic state] Start from = " +
-               name_of(scene.periodic_state.start_from) +
-               ": on a new mesh the march continues from its own state");
       demand(scene.periodic_state.secular_split != SecularSplitType::on,
              "with [Periodic state] Secular split = on: each mesh has its own "
              "secular flow");
@@ -369,6 +363,7 @@ namespace Crevasse
     discretisation.check(problems);
     refinement.check(problems);
     time_integration.check(problems);
+    periodic_state.check(problems);
     crack_tip.check(problems);
     if (problems.concern("", "Dimension"))
       return;

@@ -66,7 +66,9 @@ namespace Crevasse
          !isotropic,
          viscosity},
         {"Material/Viscosity matrix", kind != ViscosityType::matrix, viscosity},
-        {"Material/Chain", kind != ViscosityType::chain, viscosity},
+        {"Material/Chain, Chain shift",
+         kind != ViscosityType::chain,
+         viscosity},
         {"Material/Viscosity time factor", is_elastic, viscosity},
         {"Material/Thermal expansion",
          !has_temperature(scene.loads),
@@ -138,13 +140,11 @@ namespace Crevasse
       const StepControlType            control  = time.step_control;
       const PeriodicMethodType         method   = periodic.method;
 
-      const bool elastic   = scene.material.viscosity == ViscosityType::none;
-      const bool adaptive  = control == StepControlType::adaptive;
-      const bool direct    = method == PeriodicMethodType::fourier;
-      const bool automatic = method == PeriodicMethodType::automatic;
-      const bool harmonics =
-        direct || automatic || periodic.start_from == StartFrom::fourier;
-      const std::string none       = "[Material] Viscosity = none";
+      const bool elastic     = scene.material.viscosity == ViscosityType::none;
+      const bool adaptive    = control == StepControlType::adaptive;
+      const bool direct      = method == PeriodicMethodType::fourier;
+      const bool automatic   = method == PeriodicMethodType::automatic;
+      const std::string none = "[Material] Viscosity = none";
       const std::string of_control = "Step control = " + name_of(control);
       const std::string of_scheme  = "Scheme = " + name_of(time.scheme);
       const std::string of_method  = "Method = " + name_of(method);
@@ -175,20 +175,25 @@ namespace Crevasse
          direct && time.scheme != Scheme::trapezoid &&
            time.scheme != Scheme::automatic,
          "[Periodic state] " + of_method + " uses the trapezoidal rule"},
-        {"Periodic state/Secular split, Start from, Harmonics", elastic, none},
+        {"Periodic state/Secular split, Harmonics", elastic, none},
         {"Periodic state/Method", elastic, none + ", one period is enough"},
         {"Periodic state/Maximum periods",
          elastic && periodic.maximum_periods > 1,
          none + ", one period is enough"},
-        {"Periodic state/Start from", direct || automatic, of_method},
-        {"Periodic state/Harmonics", !harmonics, of_method},
+        {"Periodic state/Harmonics", !direct && !automatic, of_method},
         {"Periodic state/Anderson depth",
          method != PeriodicMethodType::anderson &&
            method != PeriodicMethodType::averaged && !automatic,
          of_method},
         {"Periodic state/Averaged poles",
-         method != PeriodicMethodType::averaged,
+         method != PeriodicMethodType::averaged && !automatic,
          of_method},
+        {"Periodic state/Converged quantity",
+         !periodic.missions.empty() || direct,
+         direct ? of_method : "Missions are no periodic state"},
+        {"Periodic state/Mission tolerance",
+         periodic.missions.empty(),
+         "there are no Missions"},
       };
     }
 

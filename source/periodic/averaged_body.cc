@@ -87,10 +87,6 @@ namespace Crevasse
     const bool has_lip = elastic.system->problem().n_bounds() > 0;
     const bool condenses =
       settings.contact_choice.type == ContactSolverType::condensed_active_set;
-    if (has_lip && !traits(settings.linear_choice.type).has(Trait::is_direct))
-      throw SceneError(
-        "[Periodic state] Method = averaged shifts the lip by its condensed "
-        "stiffness: set [Linear solver] Type = cholesky or mumps.");
     if (has_lip)
       settings.contact_choice.type = ContactSolverType::condensed_active_set;
     if (body.material.stiffness_varies || (has_lip && !condenses))
@@ -130,8 +126,19 @@ namespace Crevasse
   AveragedBody<dim>::~AveragedBody()
   {
     for (const Part *part : {&elastic, &flow, &pole, &rigid})
-      if (part->own != nullptr)
-        systems.add(part->own->statistics());
+      count(*part);
+    for (const JumpPart &jump : jumps)
+      count(jump.part);
+  }
+
+
+
+  template <int dim>
+  void
+  AveragedBody<dim>::count(const Part &part) const
+  {
+    if (part.own != nullptr)
+      systems.add(part.own->statistics());
   }
 
 
@@ -165,11 +172,51 @@ namespace Crevasse
       sign(std::find(lip.begin(), lip.end(), bounds.dofs[k]) - lip.begin()) =
         bounds.sign[k];
     Utilities::MPI::sum(sign, body.space.communicator(), sign);
-    LAPACKFullMatrix<double> sigma(elastic.lip_stiffness());
-    for (unsigned int i = 0; i < lip.size(); ++i)
-      for (unsigned int j = 0; j < lip.size(); ++j)
+    shift.emplace(stiffness_along_normals(elastic),
+                  averaged.weights_on_lip(body, lip));
+  }
+
+
+
+  template <int dim>
+  LAPACKFullMatrix<double>
+  AveragedBody<dim>::stiffness_along_normals(const Part &part) const
+  {
+    LAPACKFullMatrix<double> sigma(part.lip_stiffness());
+    for (unsigned int i = 0; i < sign.size(); ++i)
+      for (unsigned int j = 0; j < sign.size(); ++j)
         sigma(i, j) *= sign(i) * sign(j);
-    shift.emplace(sigma, averaged.weights_on_lip(body, lip));
+    return sigma;
+  }
+
+
+
+  template <int dim>
+  const typename AveragedBody<dim>::JumpPart &
+  AveragedBody<dim>::part_of_jump(const unsigned int n)
+  {
+    constexpr unsigned int most = 3; // factors in memory
+    for (const JumpPart &known : jumps)
+      if (known.n == n)
+        return known;
+    if (jumps.size() == most)
+      {
+        count(jumps.front().part);
+        jumps.pop_front();
+      }
+    JumpPart &jump = jumps.emplace_back();
+    jump.n         = n;
+    AlgorithmicModuli<dim> moduli(averaged.state,
+                                  n,
+                                  body.points.n_local_points);
+    assemble(moduli.sum, jump.part);
+    jump.part.moduli = std::move(moduli.branches);
+    if (shift)
+      {
+        jump.compliance = stiffness_along_normals(jump.part);
+        jump.compliance.invert();
+      }
+    return jump;
   }
 
 
@@ -181,7 +228,9 @@ namespace Crevasse
                                            ContactSystemCache<dim> &, \
                                            const unsigned int,        \
                                            const StressHistory &);    \
-  template AveragedBody<dim>::~AveragedBody()
+  template AveragedBody<dim>::~AveragedBody();                        \
+  template const typename AveragedBody<dim>::JumpPart &               \
+  AveragedBody<dim>::part_of_jump(const unsigned int)
 
   INSTANTIATE(2);
   INSTANTIATE(3);

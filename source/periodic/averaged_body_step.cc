@@ -87,19 +87,27 @@ namespace Crevasse
 
   template <int dim>
   typename AveragedBody<dim>::LipProblem
-  AveragedBody<dim>::springing(const std::vector<LipVector> &openings,
-                               LipVector                    &mean) const
+  AveragedBody<dim>::moving(const LAPACKFullMatrix<double> &compliance,
+                            const Moving                   &how,
+                            const std::vector<LipVector>   &openings,
+                            LipVector                      &mean) const
   {
-    return [&openings, &mean, this](LipVector &on_lip) {
-      LipShift::Goal goal{mean, spring / (1. - spring), LipVector(mean.size())};
+    return [&, how, this](LipVector &on_lip) {
+      const unsigned int n = sign.size();
+      const auto        &S = shift->compliance();
+      FullMatrix<double> B(n, n);
+      for (unsigned int i = 0; i < n; ++i)
+        for (unsigned int j = 0; j < n; ++j)
+          B(i, j) = how.part * (how.of_force * compliance(i, j) - S(i, j));
+      LipVector position(n), change = mean;
       on_lip.scale(sign);
-      on_lip /= spring;
-      shift->compliance().vmult(goal.position, on_lip);
-      LipVector       moved = shift->solve(openings, goal);
-      const LipVector force = shift->spring_force(goal, moved);
-      mean += force;
-      shift->compliance().vmult(moved, force, true);
-      on_lip.equ(spring, moved);
+      compliance.vmult(position, on_lip);
+      position *= how.part * how.of_flow;
+      on_lip = shift->follow(openings, B, position, mean);
+      on_lip /= how.part;
+      change.sadd(-1., mean);
+      S.vmult(on_lip, change, true);
+      on_lip /= how.of_flow;
       on_lip.scale(sign);
     };
   }
@@ -133,7 +141,7 @@ namespace Crevasse
 
   template <int dim>
   LipHistory::OnLip
-  AveragedBody<dim>::take(LipHistory &history, Set &open) const
+  AveragedBody<dim>::take(LipHistory &history) const
   {
     LipHistory::OnLip on_lip;
     if (!shift)
@@ -146,9 +154,7 @@ namespace Crevasse
         // Forces of open nodes and openings of pressed ones are rounding.
         LipVector &force = on_lip.forces[j], &opening = on_lip.openings[j];
         for (unsigned int k = 0; k < sign.size(); ++k)
-          if (opening(k) < S(k, k) * force(k))
-            open[k] = false;
-          else
+          if (opening(k) >= S(k, k) * force(k))
             force(k) = 0.;
         S.vmult(by_force, force);
         opening -= by_force;
@@ -169,8 +175,11 @@ namespace Crevasse
     const Stopwatch    watch("averaged body");
     const unsigned int n = sign.size();
     Set                open(n, true), open_in_mean(n);
-    const auto         on_lip = take(lip, open);
-    LipVector          mean(n), moved(n);
+    const auto         on_lip = take(lip);
+    for (const LipVector &force : on_lip.forces)
+      for (unsigned int k = 0; k < n; ++k)
+        open[k] = open[k] && force(k) == 0.;
+    LipVector mean(n), moved(n);
     if (shift)
       mean = shift->mean(on_lip.forces);
     LipVector force_change = mean;
@@ -179,7 +188,11 @@ namespace Crevasse
     Vector compatible =
       solve(flow,
             increment,
-            spring > 0. ? springing(on_lip.openings, mean) : flowing(mean));
+            spring > 0. && shift ? moving(shift->compliance(),
+                                          {1. / spring, 1. / spring},
+                                          on_lip.openings,
+                                          mean)
+                                 : flowing(mean));
     if (spring > 0.)
       compatible /= spring;
     residual = increment;
@@ -258,6 +271,57 @@ namespace Crevasse
 
 
   template <int dim>
+  Vector
+  AveragedBody<dim>::jump(const Vector            &increment,
+                          const LipHistory::OnLip &on_lip,
+                          const unsigned int       n)
+  {
+    using Field          = QuadratureField<dim>;
+    const JumpPart &now  = part_of_jump(n);
+    const double    part = 1. - 1. / n;
+    LipVector       mean;
+    if (shift)
+      mean = shift->mean(on_lip.forces);
+    Vector step = increment;
+    change(solve(now.part,
+                 increment,
+                 moving(now.compliance,
+                        {double(n), 1., part},
+                        on_lip.openings,
+                        mean)),
+           step,
+           [&](const unsigned int      i,
+               const std::size_t       point,
+               const std::size_t       place,
+               const VoigtVector<dim> &strain) {
+             return part * n *
+                    (compliance[i][point] *
+                       (now.part.moduli[i][point] *
+                        (Field::get(increment, place) - strain)) +
+                     strain);
+           });
+    return step;
+  }
+
+
+
+  template <int dim>
+  void
+  AveragedBody<dim>::remove_compatible(Vector &strain) const
+  {
+    const Set       open(sign.size(), false);
+    const LipVector moved(sign.size());
+    change(solve(elastic, strain, holding(elastic, open, moved)),
+           strain,
+           [](const unsigned int,
+              const std::size_t,
+              const std::size_t,
+              const VoigtVector<dim> &own) { return -1. * own; });
+  }
+
+
+
+  template <int dim>
   double
   AveragedBody<dim>::largest_stress(const Vector &strain) const
   {
@@ -287,11 +351,16 @@ namespace Crevasse
 
 
 
-#define INSTANTIATE(dim)                                       \
-  template void   AveragedBody<dim>::find_step(const Vector &, \
-                                             LipHistory &,   \
-                                             Vector &,       \
-                                             Vector &);      \
+#define INSTANTIATE(dim)                                                        \
+  template void              AveragedBody<dim>::find_step(const Vector &,       \
+                                             LipHistory &,         \
+                                             Vector &,             \
+                                             Vector &);            \
+  template Vector            AveragedBody<dim>::jump(const Vector &,            \
+                                          const LipHistory::OnLip &, \
+                                          const unsigned int);       \
+  template LipHistory::OnLip AveragedBody<dim>::take(LipHistory &) const;       \
+  template void   AveragedBody<dim>::remove_compatible(Vector &) const;         \
   template double AveragedBody<dim>::largest_stress(const Vector &) const
 
   INSTANTIATE(2);

@@ -49,6 +49,7 @@ namespace Crevasse
     archive.common(so_far.stress_change);
     archive.common(so_far.stress_error_estimate);
     archive.common(so_far.converged);
+    archive.common(so_far.judged_error);
     archive.common(is_comparable);
     std::size_t solves = n_solves() - solves_before;
     archive.common(solves);
@@ -73,8 +74,7 @@ namespace Crevasse
       {
         // The resumed run may have a smaller tolerance.
         if (so_far.converged)
-          so_far.converged =
-            is_within_tolerance(so_far.stress_error_estimate.back());
+          so_far.converged = is_within_tolerance(so_far.judged_error);
         solves_before  = n_solves() - solves;
         seconds_before = seconds;
         timer.restart();
@@ -309,6 +309,7 @@ namespace Crevasse
             so_far.periods * steps.period(),
             change,
             0.,
+            0.,
             history.largest_stress(),
             n_solves() - solves_before,
             seconds_before + timer.wall_time()};
@@ -323,11 +324,17 @@ namespace Crevasse
 
   template <int dim>
   void
-  ObservedPeriods<dim>::report(const double error_estimate)
+  ObservedPeriods<dim>::report(const double       error_estimate,
+                               const unsigned int mission)
   {
     last.stress_error_estimate = error_estimate;
+    last.mission               = mission;
     so_far.stress_error_estimate.push_back(error_estimate);
-    so_far.converged = is_within_tolerance(error_estimate);
+    so_far.judged_error = limits.quantity == nullptr
+                            ? error_estimate
+                            : limits.quantity->error(error_estimate);
+    last.judged_error   = so_far.judged_error;
+    so_far.converged    = is_within_tolerance(so_far.judged_error);
     for (Observer *observer : observers)
       observer->end_of_period(last);
   }

@@ -19,7 +19,9 @@ namespace Crevasse
     /** Reason why the averaged body is of no use, or empty. */
     template <int dim>
     std::string
-    averaged_obstacle(const Scene &scene, const Body<dim> &body)
+    averaged_obstacle(const Scene              &scene,
+                      const Body<dim>          &body,
+                      const LinearSolverChoice &linear)
     {
       const TimeIntegrationParameters &time = scene.time_integration;
       if (!body.held_by_contact.empty())
@@ -30,6 +32,13 @@ namespace Crevasse
       if (traits(time.scheme).has(Trait::is_of_arkode))
         return std::string("Scheme = ") + traits(time.scheme).name +
                " does not tell its stages";
+      if (body.effects.contact.on && !traits(linear.type).has(Trait::is_direct))
+        return std::string("[Linear solver] Type = ") +
+               traits(linear.type).name +
+               " does not give the stiffness of the lip, as cholesky and mumps "
+               "do";
+      if (!scene.periodic_state.missions.empty() && body.law.creep != nullptr)
+        return "Missions are of linear creep";
       return "";
     }
 
@@ -37,24 +46,20 @@ namespace Crevasse
 
     template <int dim>
     PeriodicChoice
-    choose_automatically(const Scene     &scene,
-                         const Body<dim> &body,
-                         const StepList  &steps,
-                         const double     largest_relaxation_time)
+    choose_automatically(const Scene              &scene,
+                         const Body<dim>          &body,
+                         const StepList           &steps,
+                         const LinearSolverChoice &linear,
+                         const double              largest_relaxation_time)
     {
       // Relaxation time per period with which stress falls to 1e-4 in a period.
-      constexpr double               short_time = 0.1;
-      const std::vector<std::string> obstacles =
-        fourier_obstacles(scene, body, steps);
-      const auto &scheme = traits(scene.time_integration.scheme);
-      const auto  choice = [](const Method       method,
-                             const std::string &why,
-                             const bool         starts_from_fourier = false) {
+      constexpr double short_time = 0.1;
+      const auto      &scheme     = traits(scene.time_integration.scheme);
+      const auto choice = [](const Method method, const std::string &why) {
         PeriodicChoice all;
-        all.method              = method;
-        all.starts_from_fourier = starts_from_fourier;
-        all.may_fall_back       = true;
-        all.why                 = "automatic: " + why;
+        all.method        = method;
+        all.may_fall_back = true;
+        all.why           = "automatic: " + why;
         return all;
       };
       if (!body.held_by_contact.empty())
@@ -67,39 +72,36 @@ namespace Crevasse
         return choice(Method::march,
                       std::string("the steps of Scheme = ") + scheme.name +
                         " do not reproduce the secular flow");
+      const std::vector<std::string> obstacles =
+        fourier_obstacles(scene, body, steps);
       if (obstacles.empty() &&
           (scheme.value == Scheme::trapezoid ||
            scheme.value == Scheme::automatic) &&
           !scene.time_integration.locate_contact_events)
         return choice(Method::fourier, "only the loads depend on time");
-      if (const std::string flow = secular_obstacle(body);
-          !flow.empty() && !body.law.has_spring())
-        {
-          // Periods that a march takes to forget, and those of averaged steps.
-          constexpr double few       = 10.;
-          const double     tolerance = scene.periodic_state.tolerance;
-          if (tolerance > 0. && body.law.creep == nullptr &&
-              -std::log(tolerance) * largest_relaxation_time >
-                few * scene.loads.period &&
-              averaged_obstacle(scene, body).empty())
-            return choice(Method::averaged,
-                          "a march would need many periods, and " + flow);
-          return choice(Method::march,
-                        "the viscous strain may not be periodic, because " +
-                          flow);
-        }
-      if (largest_relaxation_time <= short_time * scene.loads.period)
-        return choice(Method::anderson,
-                      "the stress is forgotten within a period");
-      if (obstacles.empty())
-        return choice(Method::anderson,
-                      "only the loads depend on time; the last periods add the "
-                      "error of the scheme",
-                      true);
+      const std::string flow =
+        body.law.has_spring() ? "" : secular_obstacle(body);
+      const Method alternative =
+        flow.empty() ? Method::anderson : Method::march;
+      if (body.law.creep == nullptr &&
+          largest_relaxation_time <= short_time * scene.loads.period)
+        return choice(alternative, "the stress is forgotten within a period");
+      const std::string averaged = averaged_obstacle(scene, body, linear);
+      if (!averaged.empty())
+        return choice(alternative,
+                      "no averaged body, because " + averaged +
+                        (flow.empty() ? ""
+                                      : "; the viscous strain may not be "
+                                        "periodic, because " +
+                                          flow));
       // The first obstacle, without the advice that follows it.
-      return choice(Method::anderson,
-                    "no harmonic balance, because " +
-                      obstacles.front().substr(0, obstacles.front().find(';')));
+      return choice(
+        Method::averaged,
+        obstacles.empty()
+          ? "harmonic balance is for Scheme = trapezoid without located "
+            "events"
+          : "no harmonic balance, because " +
+              obstacles.front().substr(0, obstacles.front().find(';')));
     }
 
 
@@ -119,22 +121,33 @@ namespace Crevasse
 
     template <int dim>
     PeriodicChoice
-    choose(const Scene     &scene,
-           const Body<dim> &body,
-           const StepList  &steps,
-           const double     largest_relaxation_time)
+    choose(const Scene              &scene,
+           const Body<dim>          &body,
+           const StepList           &steps,
+           const LinearSolverChoice &linear,
+           const double              largest_relaxation_time)
     {
       const PeriodicStateParameters &parameters = scene.periodic_state;
+      if (!parameters.missions.empty())
+        if (const std::string obstacle = averaged_obstacle(scene, body, linear);
+            !obstacle.empty())
+          throw SceneError(
+            "[Periodic state] Missions: no averaged body, because " + obstacle +
+            ".");
+      if (parameters.method == Method::automatic &&
+          !parameters.missions.empty())
+        {
+          PeriodicChoice missions;
+          missions.method = Method::averaged;
+          missions.why    = "[Periodic state] Missions";
+          return missions;
+        }
       if (parameters.method == Method::automatic)
-        return choose_automatically(scene,
-                                    body,
-                                    steps,
-                                    largest_relaxation_time);
+        return choose_automatically(
+          scene, body, steps, linear, largest_relaxation_time);
 
       PeriodicChoice choice;
-      choice.method              = parameters.method;
-      choice.starts_from_fourier = parameters.method != Method::fourier && //
-                                   parameters.start_from == StartFrom::fourier;
+      choice.method = parameters.method;
       choice.why = Text::parameter(PeriodicStateParameters::section, "Method") +
                    " = " + name_of(parameters.method);
       if (choice.method == Method::anderson && !body.held_by_contact.empty())
@@ -142,11 +155,11 @@ namespace Crevasse
           choice.why + ": " + what_contact_holds(body.held_by_contact) +
           ", so that its position is not unique. Use Method = march.");
       if (choice.method == Method::averaged)
-        if (const std::string obstacle = averaged_obstacle(scene, body);
+        if (const std::string obstacle = averaged_obstacle(scene, body, linear);
             !obstacle.empty())
           throw SceneError(choice.why + ": " + obstacle +
                            ". Use Method = automatic.");
-      if (choice.uses_fourier())
+      if (choice.method == Method::fourier)
         require_fourier(scene, body, steps);
       if (const std::string flow = secular_obstacle(body);
           choice.method == Method::anderson && !flow.empty() &&
@@ -174,10 +187,11 @@ namespace Crevasse
 
   template <int dim>
   PeriodicChoice
-  choose_periodic_method(const Scene     &scene,
-                         const Body<dim> &body,
-                         const StepList  &steps,
-                         const double     largest_relaxation_time)
+  choose_periodic_method(const Scene              &scene,
+                         const Body<dim>          &body,
+                         const StepList           &steps,
+                         const LinearSolverChoice &linear,
+                         const double              largest_relaxation_time)
   {
     if (!body.effects.viscosity.on)
       {
@@ -185,9 +199,11 @@ namespace Crevasse
         one_period.why = "without viscosity one period is enough";
         return one_period;
       }
-    PeriodicChoice choice = choose(scene, body, steps, largest_relaxation_time);
+    PeriodicChoice choice =
+      choose(scene, body, steps, linear, largest_relaxation_time);
     if (scene.periodic_state.method == Method::march &&
-        choose_automatically(scene, body, steps, largest_relaxation_time)
+        choose_automatically(
+          scene, body, steps, linear, largest_relaxation_time)
             .method != Method::march)
       choice.alternative =
         "set Method = automatic, which mostly needs fewer periods";

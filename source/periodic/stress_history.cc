@@ -39,8 +39,9 @@ namespace Crevasse
     for (unsigned int i = 0; i < stress.locally_owned_size(); ++i)
       {
         const double s = stress.local_element(i);
-        largest_change =
-          std::max(largest_change, std::abs(s - stored.local_element(i)));
+        if (const double change = std::abs(s - stored.local_element(i));
+            change > largest_change.change)
+          largest_change = {change, i};
         largest                 = std::max(largest, std::abs(s));
         stored.local_element(i) = s;
       }
@@ -52,7 +53,7 @@ namespace Crevasse
   StressHistory::take_change()
   {
     const double change =
-      dealii::Utilities::MPI::max(largest_change, communicator);
+      dealii::Utilities::MPI::max(largest_change.change, communicator);
     largest_of_last = dealii::Utilities::MPI::max(largest, communicator);
     for (auto entry = samples.begin(); entry != samples.end();)
       if (entry->second.period == periods)
@@ -62,7 +63,8 @@ namespace Crevasse
     ++periods;
     comparable     = 4 * n_new <= samples.size();
     n_new          = 0;
-    largest_change = 0.;
+    place_of_last  = largest_change;
+    largest_change = Place();
     largest        = 0.;
     return change > 0. ? change / largest_of_last : 0.;
   }
@@ -90,7 +92,7 @@ namespace Crevasse
     archive.common(periods);
     archive.common(n_new);
     archive.common(comparable);
-    archive.maximum(largest_change);
+    archive.maximum(largest_change.change);
     archive.maximum(largest);
     archive.common(largest_of_last);
     communicator = archive.communicator();

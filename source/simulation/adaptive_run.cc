@@ -111,9 +111,9 @@ namespace Crevasse
       transfer.adapt();
     while (flag_unmatched_lips(*mesh, boundary_roles(scene)));
     adapted.renew();
-    state.fourier_failed = false;
-    state.was_resumed    = false;
-    on_mesh              = std::make_unique<Run<dim>>(
+    state.method_failed = false;
+    state.was_resumed   = false;
+    on_mesh             = std::make_unique<Run<dim>>(
       scene, adapted.mesh(), log, checkpoints, state);
 
     const Body<dim> &body = on_mesh->body;

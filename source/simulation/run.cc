@@ -66,16 +66,17 @@ namespace Crevasse
           ? make_integrator(scene.time_integration, body.effects.contact.on)
           : nullptr)
     , magnitudes(find_magnitudes(scene, integrator.get(), own_body, steps))
+    , solvers(choose_solvers(scene, body))
     , choice(choose_periodic_method(scene,
                                     body,
                                     steps,
+                                    solvers.linear,
                                     magnitudes.relaxation_times.largest))
     , split(choose_secular_split(scene,
                                  body,
                                  steps,
                                  integrator.get(),
                                  choice.needs_periodic_strain()))
-    , solvers(choose_solvers(scene, body))
     , systems(scene, body, solvers, steps, magnitudes.largest_nodal_force, log)
     , evolution(body.strain_operator,
                 body.points,
@@ -85,6 +86,7 @@ namespace Crevasse
     , stress_intensity(body.effects.stress_intensity)
   {
     find_tips();
+    check_quantity();
     const ComparedLip compared = scene.output.elastic_comparison;
     if (compared != ComparedLip::none)
       load_factors =
@@ -123,6 +125,31 @@ namespace Crevasse
     else if (stress_intensity.on)
       crack_front =
         std::make_unique<const CrackFrontAnalysis>(scene, body, steps);
+  }
+
+
+
+  template <int dim>
+  void
+  Run<dim>::check_quantity() const
+  {
+    const std::string &name   = scene.periodic_state.converged_quantity;
+    const std::string setting = "[Periodic state] Converged quantity = " + name;
+    if (name == "K_I" && crack_tips.empty())
+      throw SceneError(setting + ": there is no crack tip in a plane with K_I");
+    if (name == "opening" && !body.effects.contact.on)
+      throw SceneError(setting + ": there is no lip that may touch");
+    if (name.rfind("probe ", 0) != 0)
+      return;
+    std::vector<std::string> names;
+    for (const auto &probe : probes)
+      {
+        if (name == "probe " + probe.name)
+          return;
+        names.push_back(probe.name);
+      }
+    throw SceneError(setting + ": the names of [Output] Probes are " +
+                     (names.empty() ? "none" : Text::join(names, ", ")));
   }
 
 
@@ -239,14 +266,7 @@ namespace Crevasse
         for (const std::string &warning : result.warnings)
           log.line("  warning: " + warning);
         later_warnings = result.warnings;
-        if (choice.method != PeriodicMethodType::fourier)
-          {
-            // Another method needs only the beginning of the motion.
-            result.motion.viscous_strain.resize(1);
-            result.motion.displacement.clear();
-            result.motion.contact_forces.clear();
-          }
-        direct = std::move(result);
+        direct         = std::move(result);
       }
     catch (const NumericalError &error)
       {
@@ -255,8 +275,7 @@ namespace Crevasse
         end_abandoned_factors();
         log.line("  warning: harmonic balance failed, anderson takes over: " +
                  std::string(error.what()));
-        choice.method              = PeriodicMethodType::anderson;
-        choice.starts_from_fourier = false;
+        choice.method = PeriodicMethodType::anderson;
         choice.alternative.clear();
       }
   }
@@ -273,7 +292,7 @@ namespace Crevasse
     if (!state.has_tables()) // later meshes: at a checkpoint
       checkpoints.requests.stop_if_asked();
     const bool any_periods = scene.periodic_state.maximum_periods > 0;
-    if (any_periods && choice.uses_fourier())
+    if (any_periods && choice.method == PeriodicMethodType::fourier)
       balance_harmonics();
     if (direct && choice.method == PeriodicMethodType::fourier)
       take_flow_of_samples();

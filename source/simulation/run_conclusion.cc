@@ -169,25 +169,6 @@ namespace Crevasse
 
 
 
-    /** Estimated number of further periods of a march at the current rate, in
-     * brackets; empty if unknown. */
-    std::string
-    periods_to_go(const PeriodicResult &result, const double tolerance)
-    {
-      const double change = result.stress_change.back();
-      const double error  = result.stress_error_estimate.back();
-      // A ReturnDefect does not fall with the changes.
-      if (result.periods < 3 || result.return_defect >= error ||
-          !std::isfinite(error))
-        return "";
-      return Text::Message() << " (about "
-                             << std::ceil(std::log(tolerance / error) /
-                                          std::log(error / (change + error)))
-                             << " more at the current rate)";
-    }
-
-
-
     /** Logs after which period the change of stress was within the tolerance,
      * the criterion of the paper, unless that is the last period. */
     void
@@ -234,40 +215,6 @@ namespace Crevasse
       if (stress_rounding > doubtful)
         log.line("  Beware: " + text);
     }
-
-
-
-    /** Message for a run that is not periodic yet: its state, and advice. */
-    std::string
-    message_of_failure(const PeriodicStateParameters &parameters,
-                       const PeriodicChoice          &choice,
-                       const PeriodicResult          &result)
-    {
-      const double  error = result.stress_error_estimate.back();
-      Text::Message message;
-      message << "The stress is not yet periodic: after " << result.periods
-              << (result.periods == 1 ? " period" : " periods");
-      message << " it still changes by " << result.stress_change.back()
-              << " of its maximum, and its error is ";
-      if (std::isfinite(error))
-        message << "estimated as " << error << ", more than ";
-      else
-        message << "not known to be within ";
-      message << "[Periodic state] Tolerance = " << parameters.tolerance;
-      if (!result.steps_repeat)
-        message << ", because adaptive steps do not repeat";
-      else if (result.periods > 1 &&
-               result.return_defect > parameters.tolerance)
-        message << ", because the viscous strain is not yet periodic";
-      message << ". All results so far are written. Raise \"Maximum periods\"";
-      if (choice.method == PeriodicMethodType::march && result.steps_repeat)
-        message << periods_to_go(result, parameters.tolerance);
-      message << " and continue by --resume, allow a larger \"Tolerance\"";
-      if (!choice.alternative.empty())
-        message << ", " << choice.alternative << ',';
-      message << " or set Tolerance = 0 to compute a fixed number of periods.";
-      return message;
-    }
   } // namespace
 
 
@@ -294,8 +241,14 @@ namespace Crevasse
                       log);
     if (choice.method == PeriodicMethodType::march)
       report_end_by_change(result, parameters.tolerance, log);
+    if (!parameters.missions.empty())
+      {
+        if (result.periods >= parameters.maximum_periods)
+          throw NumericalError(choice.message_of_failure(parameters, result));
+        return;
+      }
     if (!result.converged && parameters.tolerance > 0.)
-      throw NumericalError(message_of_failure(parameters, choice, result));
+      throw NumericalError(choice.message_of_failure(parameters, result));
     if (result.converged)
       for (const auto &observer : observers)
         observer->require_periodic();

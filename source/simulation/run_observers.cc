@@ -129,6 +129,7 @@ namespace Crevasse
               squares,
               context,
               table("crack_tip" + number + ".csv", TipTable::columns(*tip))));
+            tips.push_back(of_tip);
             for (const double sign : {1., -1.})
               instants.followed.emplace_back([of_tip, sign](auto &) {
                 return sign * of_tip->latest().equivalent;
@@ -210,7 +211,15 @@ namespace Crevasse
                                           run.log));
       }
 
+      CsvTable
+      table(const std::string &name, const std::vector<std::string> &columns)
+      {
+        names.push_back(name);
+        return CsvTable(path(name), columns, run.state.has_tables());
+      }
+
       std::vector<std::string> names; ///< of tables that a resumed run extends
+      std::vector<const TipTable *> tips; ///< tables of tips with K
 
     private:
       /** Path of a file; none on ranks that do not write. */
@@ -218,13 +227,6 @@ namespace Crevasse
       path(const std::string &name) const
       {
         return writes ? run.checkpoints.directory + '/' + name : "";
-      }
-
-      CsvTable
-      table(const std::string &name, const std::vector<std::string> &columns)
-      {
-        names.push_back(name);
-        return CsvTable(path(name), columns, run.state.has_tables());
       }
 
       Run<dim>        &run;
@@ -270,6 +272,11 @@ namespace Crevasse
       outputs.add(std::make_unique<StressWriter<dim>>(body,
                                                       checkpoints.directory +
                                                         "/stress_samples.bin"));
+    make_goal(lip,
+              outputs.tips,
+              [&outputs](const auto &name, const auto &columns) {
+                return outputs.table(name, columns);
+              });
     outputs.add_periods(lip);
     checkpoints.set_tables(outputs.names);
   }

@@ -11,6 +11,7 @@
 #include <crevasse/periodic/averaged.h>
 #include <crevasse/periodic/contraction.h>
 #include <crevasse/periodic/march.h>
+#include <crevasse/periodic/missions.h>
 #include <crevasse/simulation/run.h>
 
 namespace Crevasse
@@ -49,6 +50,52 @@ namespace Crevasse
                           rounding);
       return touches;
     }
+
+
+
+    /** Cell, material and relaxation time where the stress changed most in the
+     * last period. Collective. */
+    template <int dim>
+    std::string
+    place_of_change(const Body<dim>     &body,
+                    const StepList      &steps,
+                    const StressHistory &stresses)
+    {
+      const StressHistory::Place here = stresses.place();
+      const unsigned int         point =
+        here.entry / QuadratureField<dim>::n_components;
+      double relaxed = 0.; // over the period, of the slowest branch
+      for (unsigned int k = 0; k < steps.n_steps() && body.law.creep == nullptr;
+           ++k)
+        {
+          const MaterialState<dim> now = body.material.at(steps.instant(k));
+          double least = std::numeric_limits<double>::infinity();
+          for (unsigned int i = 0; i < now.fluidity.size(); ++i)
+            least = std::min(least,
+                             now.fractions[i] *
+                               relaxation_rates<dim>((*now.fluidity[i])[point],
+                                                     (*now.stiffness)[point])
+                                 .least);
+          relaxed += now.kappa(steps.step(k)) * least;
+        }
+      std::string text;
+      for (const auto &cell : owned_cells(body.space.dof_handler))
+        if (const std::size_t first = body.points.first_point(cell);
+            first <= point &&
+            point < first + body.space.quadrature(cell).size())
+          {
+            text = "at " + Text::from_point(cell->center()) + ", in material " +
+                   std::to_string(cell->material_id());
+            if (relaxed > 0.)
+              text += ", whose relaxation time is " +
+                      Text::from_number(1. / relaxed, 3) + " periods";
+          }
+      using Places = std::vector<std::pair<double, std::string>>;
+      const Places places =
+        Utilities::MPI::all_gather(body.space.communicator(),
+                                   std::make_pair(here.change, text));
+      return std::max_element(places.begin(), places.end())->second;
+    }
   } // namespace
 
 
@@ -57,15 +104,6 @@ namespace Crevasse
   void
   Run<dim>::prepare_evolution()
   {
-    if (choice.method == PeriodicMethodType::averaged && choice.may_fall_back &&
-        body.effects.contact.on &&
-        !traits(systems.settings.linear_choice.type).has(Trait::is_direct))
-      {
-        log.line(
-          "  march takes over: averaged needs a direct linear solver "
-          "where there is contact");
-        choice.method = PeriodicMethodType::march;
-      }
     Vector &r = state.viscous_strain;
     if (flow && split.is_split)
       evolution.split_off(*flow);
@@ -134,30 +172,42 @@ namespace Crevasse
             magnitudes.relaxation_times.mean_fluidity_factor);
     Anderson<dim> method(periods, coordinates, scene.periodic_state, slowness);
     method.run(state.viscous_strain);
-    const auto &counts = method.counts();
-    if (counts.shortened > 0)
+    if (method.n_shortened() > 0)
       log.line("  anderson combined fewer periods in " +
-               std::to_string(counts.shortened) +
+               std::to_string(method.n_shortened()) +
                " steps: the oldest ones led away from the periodic state");
-    if (counts.leaps > 0)
-      log.line("  anderson followed a steady drift by " +
-               std::to_string(counts.leaps) + " steps of two and more periods");
   }
 
 
 
   template <int dim>
   void
-  Run<dim>::correct_by_average(ObservedPeriods<dim>   &periods,
-                               const UnilateralBounds &bounds)
+  Run<dim>::use_average(ObservedPeriods<dim>   &periods,
+                        const UnilateralBounds &bounds)
   {
-    Averaged<dim> method(
-      periods, evolution, body, bounds, systems, scene.periodic_state);
-    method.run(state.viscous_strain);
-    if (method.n_unsolved() > 0)
-      log.line("  averaged: in " + std::to_string(method.n_unsolved()) +
-               " periods no shift of the lip gives the mean contact forces, "
-               "and the nearest one was taken");
+    const PeriodicStateParameters &parameters = scene.periodic_state;
+    AveragedPeriods<dim>           averaged(
+      periods, evolution, body, bounds, systems, parameters.averaged_poles);
+    constexpr double many = 1e4; // periods in the life of a component
+    const double     slowest =
+      magnitudes.relaxation_times.longest_in_mean / scene.loads.period;
+    if (parameters.missions.empty() && slowest > many && std::isfinite(slowest))
+      log.line("  no component lives to see this state: some part relaxes in " +
+               Text::from_number(slowest, 2) +
+               " periods. [Periodic state] Missions computes given periods");
+    if (parameters.missions.empty())
+      Averaged<dim>(periods, averaged, parameters.anderson_depth)
+        .run(state.viscous_strain);
+    else
+      Missions<dim>(periods,
+                    averaged,
+                    parameters.missions,
+                    parameters.mission_tolerance)
+        .run(state.viscous_strain);
+    if (averaged.n_unsolved() > 0)
+      log.line("  averaged: " + std::to_string(averaged.n_unsolved()) +
+               " times no shift of the lip gives the mean contact forces, and "
+               "the nearest one was taken");
   }
 
 
@@ -202,7 +252,7 @@ namespace Crevasse
 
     const bool shows = choice.method == PeriodicMethodType::fourier && direct;
     PeriodicResult before = state.result;
-    if (shows && !state.fourier_failed)
+    if (shows && !state.method_failed)
       {
         before = show_motion(all, writer);
         if (before.converged)
@@ -211,10 +261,25 @@ namespace Crevasse
             return true;
           }
         log.line("  anderson takes over");
-        state.fourier_failed = true;
+        state.method_failed = true;
       }
     if (shows)
       choice.method = PeriodicMethodType::anderson;
+    if (choice.method != PeriodicMethodType::averaged || !choice.may_fall_back)
+      return find_periodic_state(all, writer, before, last_period);
+    if (!state.method_failed)
+      {
+        // Four times what the hardest of the random bodies took.
+        constexpr unsigned int enough = 40;
+        if (find_periodic_state(all, writer, before, before.periods + enough))
+          return true;
+        log.line(
+          "  the averaged body does not lead to the periodic state: "
+          "march takes over");
+        state.method_failed = true;
+        before              = state.result;
+      }
+    choice.method = PeriodicMethodType::march;
     return find_periodic_state(all, writer, before, last_period);
   }
 
@@ -245,7 +310,8 @@ namespace Crevasse
                                  writer,
                                  {std::min(parameters.maximum_periods,
                                            last_period),
-                                      parameters.tolerance});
+                                      parameters.tolerance,
+                                      quantity});
     periods.continue_from(before, !state.has_begun());
     // Strain without stress matters to a march if a lip may touch.
     if (body.effects.viscosity.on &&
@@ -259,13 +325,15 @@ namespace Crevasse
         ? slowness_of_relaxation(scene.loads.period / times.longest_in_mean)
         : times.creep_exponent;
     if (choice.method == PeriodicMethodType::averaged)
-      correct_by_average(periods, bounds);
+      use_average(periods, bounds);
     else if (choice.method != PeriodicMethodType::march)
       accelerate(periods, slowness);
     else
       march(periods, slowness, times.creep_exponent, state.viscous_strain);
 
-    state.result    = periods.result();
+    state.result = periods.result();
+    if (!state.result.converged && periods.has_memory())
+      state.result.place = place_of_change(body, steps, periods.stresses());
     const bool ends = state.result.converged ||
                       state.result.periods < last_period ||
                       state.result.periods >= parameters.maximum_periods;

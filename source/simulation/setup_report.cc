@@ -45,7 +45,7 @@ namespace Crevasse
       double values = (n_steps + 8.) * stress + 5. * strain + 30. * vector;
       if (choice.periods_are_iterates())
         values += 4. * (scene.periodic_state.anderson_depth + 2.) * strain;
-      if (choice.uses_fourier())
+      if (choice.method == PeriodicMethodType::fourier)
         values += n_steps * (strain + 2. * vector);
       // A checkpoint collects data by cell and packs them (measured): the
       // stresses of a period that cannot be repeated exactly, and instants of

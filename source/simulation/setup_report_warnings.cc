@@ -24,7 +24,8 @@ namespace Crevasse
       const std::string steps = Text::Message()
                                 << " with steps of " << in_relaxation_times
                                 << " relaxation times";
-      if (!run.choice.uses_fourier() && time.scheme == Scheme::trapezoid)
+      if (run.choice.method != PeriodicMethodType::fourier &&
+          time.scheme == Scheme::trapezoid)
         all.push_back("[Time integration] Scheme = trapezoid" + steps +
                       ": stress that relaxes so fast oscillates instead of "
                       "decaying; use Scheme = sdirk2");

@@ -16,7 +16,6 @@ namespace Crevasse
     Pair pair{image, image};
     pair.residual -= x;
     residual_norm = pair.residual.l2_norm();
-    change        = std::numeric_limits<double>::infinity();
     if (!pairs.empty())
       {
         Vector step = pair.residual;
@@ -29,8 +28,6 @@ namespace Crevasse
         const double noise = accuracy * image.l2_norm();
         if (residual_change > noise)
           pair.slowness = step.l2_norm() / residual_change;
-        if (residual_norm > noise)
-          change = residual_change / residual_norm;
       }
     keep(std::move(pair));
   }
@@ -102,9 +99,7 @@ namespace Crevasse
         combine(factors, images, x);
       }
     if (images.size() < n_independent)
-      ++so_far.shortened;
-    if (settings.follows_drift)
-      follow_drift(x);
+      ++shortened;
   }
 
 
@@ -145,33 +140,6 @@ namespace Crevasse
 
 
 
-  void
-  AndersonAcceleration::follow_drift(Vector &x)
-  {
-    // A drift is a residual that stays the same and is hardly explained by
-    // differences. The longest leap is in residuals.
-    constexpr double hardly_explained = 0.7, the_same = 0.05, longest = 1e6;
-
-    if (unexplained <= hardly_explained * residual_norm || change >= the_same)
-      {
-        leap = std::max(1., leap / 2.);
-        return;
-      }
-    const Pair &last = pairs.back();
-    for (;; leap /= 2.)
-      {
-        x = last.image;
-        x.add(leap - 1., last.residual);
-        if (leap <= 1. || is_possible(x))
-          break;
-      }
-    if (leap > 1.)
-      ++so_far.leaps;
-    leap = std::min(2. * leap, longest);
-  }
-
-
-
   double
   AndersonAcceleration::unexplained_distance() const
   {
@@ -197,8 +165,6 @@ namespace Crevasse
       }
     archive.common(unexplained);
     archive.common(residual_norm);
-    archive.common(change);
-    archive.common(leap);
-    archive.common(so_far);
+    archive.common(shortened);
   }
 } // namespace Crevasse

@@ -8,7 +8,7 @@ import sys
 
 sys.path.insert(0, str(pathlib.Path(sys.argv[2]) / "tests/runs"))
 
-from averaged_scenes import scene  # noqa: E402
+from averaged_scenes import probes_of, scene  # noqa: E402
 from periodic_scenes import compute, difference, method  # noqa: E402
 
 
@@ -19,7 +19,7 @@ def periods_to(tolerance, seed):
         "averaged", "sdirk2", 1e-11, 60))
     found = compute(f"found_{seed % 2}", scene(seed) + method(
         "averaged", "sdirk2", tolerance, 60))
-    errors = [difference(exact, found, which=k)
+    errors = [difference(exact, found, which=k, probes=probes_of(seed))
               for k in range(found.summary["periods"])]
     late = [k for k, error in enumerate(errors) if error > tolerance]
     return (late[-1] + 2 if late else 1), len(errors), errors[-1]

@@ -49,6 +49,13 @@ CASES = {
     "averaged": REDISTRIBUTES + periods(6) + [
         "Periodic state/Method=averaged", "Time integration/Scheme=sdirk2",
         "Contact/Solver=condensed active set"],
+    "missions": REDISTRIBUTES + periods(60) + [
+        "Periodic state/Missions=4, 40", "Periodic state/Method=automatic",
+        "Time integration/Scheme=sdirk2",
+        "Contact/Solver=condensed active set"],
+    "opening": REDISTRIBUTES + periods(12) + [
+        "Periodic state/Method=march", "Periodic state/Tolerance=1e-3",
+        "Periodic state/Converged quantity=opening"],
     "adaptive steps": REDISTRIBUTES + periods(5) + [
         "Time integration/Step control=adaptive",
         "Time integration/Relative tolerance=1e-3"],

@@ -131,9 +131,8 @@ def steps(n):
 
 
 def method(name, scheme="trapezoid", tolerance=1e-11, periods=1000,
-           start="rest", split=None):
+           split=None):
     settings = [f"Periodic state/Method={name}",
-                f"Periodic state/Start from={start}",
                 f"Periodic state/Tolerance={tolerance}",
                 f"Periodic state/Maximum periods={periods}",
                 f"Time integration/Scheme={scheme}"]
@@ -213,8 +212,7 @@ def difference(one, other, openings=False, stride=1, which=-1,
 
 
 WAYS = {"march": method("march", None), "anderson": method("anderson", None),
-        "from fourier": method("anderson", None, start="fourier"),
-        "automatic": method("automatic", None)}
+        "averaged": method("averaged", None), "automatic": method("automatic", None)}
 
 
 def search(seed, way, most, tolerance=1e-6):

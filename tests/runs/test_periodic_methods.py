@@ -161,18 +161,18 @@ def test_units():
 AUTOMATIC = {
     "elastic": (["Material/Viscosity=none"], "heun",
                 "march (without viscosity one period is enough)"),
-    "heun": ([], "heun", "anderson, started from fourier (automatic: only "
-                         "the loads depend on time"),
+    "heun": ([], "heun", "averaged (automatic: harmonic balance is for Scheme = "
+                         "trapezoid"),
     "trapezoid": ([], "trapezoid",
                   "fourier (automatic: only the loads depend on time"),
     "K(t)": (["Material/Stiffness time factor=1 + 0.3*sin(2*pi*t/600)"],
-             "heun", "anderson (automatic: no harmonic balance, because the stiffness "
+             "heun", "averaged (automatic: no harmonic balance, because the stiffness "
                      "varies"),
     "eta(t, x)": (["Material/Viscosity=isotropic",
                    "Material/Viscous modulus="
                    "13000*600*(1 + 0.5*x*sin(2*pi*t/600))",
                    "Material/Viscous Poisson ratio=0.2"], "heun",
-                  "averaged (automatic: a march would need many periods"),
+                  "averaged (automatic: no harmonic balance, because the viscosity varies"),
     "split off": (["Periodic state/Secular split=off"], "heun",
                   "march (automatic: Secular split = off"),
     "exponential": ([], "exponential",
@@ -205,21 +205,6 @@ def test_automatic():
             "march", scheme, 1e-9) if name in MARCHED else settings
             + method("anderson", scheme, 1e-11))
         check_below(difference(plain, found), 3e-6, name + ": stress")
-
-
-def test_start_from_fourier():
-    """What is left is the error of the scheme, which takes few periods."""
-    for name in tier("b", "bc"):
-        settings = case(name, 1)
-        exact = compute("exact", settings + method("anderson", "heun"))
-        n = {}
-        for start in ("rest", "fourier"):
-            found = compute("found", settings + method(
-                "march", "heun", 1e-4, start=start))
-            n[start] = found.summary["periods"]
-            check_below(difference(exact, found), 3e-4,
-                        f"({name}), from {start}, {n[start]} periods")
-        check(n["fourier"] <= 0.7 * n["rest"], "fewer periods")
 
 
 @full
@@ -271,11 +256,11 @@ DRIFTING = {
 @full
 def test_drift():
     """Neither a step that bears no stress nor a drift that makes none ends the
-    search; anderson follows it by leaps."""
+    search."""
     tolerance = 1e-6
     for name, (settings, most) in DRIFTING.items():
         exact = compute("exact", settings + FOURIER)
-        for way in ("anderson", "march"):
+        for way in ("averaged", "march"):
             found = compute("found", settings + method(
                 way, "trapezoid", tolerance))
             n, error = found.summary["periods"], difference(exact, found)
@@ -286,7 +271,7 @@ def test_drift():
     # Rounding must not decide whether a drift is taken for one.
     settings, most = DRIFTING["fast"]
     for k in range(1, 5):
-        found = compute("found", settings + method("anderson", tolerance=tolerance)
+        found = compute("found", settings + method("averaged", tolerance=tolerance)
                         + [f"Material/Young modulus={13000 * (1 + k * 1e-11)!r}"])
         check_below(found.summary["periods"], most, "periods with another rounding")
     # From a start near the end; the last steps are in directions without stress.
@@ -297,7 +282,7 @@ def test_drift():
     exact = compute("exact", settings + method("anderson", "sdirk2", 1e-10))
     found = compute("found", settings + method("automatic", "sdirk2", tolerance))
     check_below(difference(exact, found), 3 * tolerance,
-                f"drift, from fourier, {found.summary['periods']} periods, "
+                f"drift, {found.summary['periods']} periods, "
                 f"estimated error {error_estimate(found):.1e}")
 
 
@@ -393,20 +378,6 @@ def test_misleading_periods():
 
 
 @full
-def test_exact_start():
-    """A lip that stands open, in a body that forgets slowly: the start is the
-    fixed point but for rounding, of which no method makes periods."""
-    settings = [traction("0; 70 - 60*cos(2*pi*t/600)")] + relaxation(500)
-    for name in ("march", "anderson"):
-        for scheme in ("heun", "sdirk2"):
-            found = compute("found", settings + method(
-                name, scheme, 1e-6, start="fourier", split="on"))
-            check_below(found.summary["periods"], 2,
-                        f"{name}, {scheme}: periods")
-            check_below(error_estimate(found), 1e-6, "estimated error")
-
-
-@full
 def test_without_contact():
     """What differs from the periodic stress does no work: its energy falls at least
     as fast as that of the slowest point, which tells how many periods are enough."""
@@ -472,8 +443,6 @@ if __name__ == "__main__":
     test_automatic()
     test_without_contact()
     test_march_with_split()
-    test_start_from_fourier()
-    test_exact_start()
     test_mean_of_steps()
     test_drift()
     test_spring()

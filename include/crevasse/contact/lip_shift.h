@@ -50,30 +50,24 @@ namespace Crevasse
      * as was found.
      */
     LipVector
-    solve(const std::vector<LipVector> &openings, const LipVector &target) const
-    {
-      return solve(openings, {target, 0., LipVector(n)});
-    }
+    solve(const std::vector<LipVector> &openings,
+          const LipVector              &target) const;
 
-    /** Mean contact forces that depend on the shift,
+    /**
+     * Finds the shift of a lip that yields to its mean contact forces,
      *
-     *     Σⱼ wⱼ gⱼ = force + multiple × Σ (c − position),
+     *     c = position + B (Σⱼ wⱼ gⱼ − force)
      *
-     * as of a lip that springs hold at a position. */
-    struct Goal
-    {
-      LipVector force;
-      double    multiple;
-      LipVector position;
-    };
-
-    /** Finds the shift with the mean contact forces of a goal. */
+     * by a semismooth Newton method with line search.
+     *
+     * @param B symmetric positive semidefinite.
+     * @param[in,out] force of the position; on return, the mean.
+     * @return c, or the best of what was found. */
     LipVector
-    solve(const std::vector<LipVector> &openings, const Goal &goal) const;
-
-    /** Force of the springs of a goal. */
-    LipVector
-    spring_force(const Goal &goal, const LipVector &c) const;
+    follow(const std::vector<LipVector>     &openings,
+           const dealii::FullMatrix<double> &B,
+           const LipVector                  &position,
+           LipVector                        &force) const;
 
     /** Mean contact forces of lips with these openings without contact. */
     LipVector
@@ -86,7 +80,7 @@ namespace Crevasse
       return inverse;
     }
 
-    /** Number of calls of solve() that found no shift. */
+    /** Number of calls of solve() and follow() that found no shift. */
     unsigned int
     n_unsolved() const
     {
@@ -127,10 +121,10 @@ namespace Crevasse
 
     /** Improves @p c by Newton's method.
      * @param small_force below which forces need no relative accuracy.
-     * @return whether its forces are those of the goal. */
+     * @return whether its mean forces are those of the target. */
     bool
     approach(const std::vector<LipVector> &openings,
-             const Goal                   &goal,
+             const LipVector              &target,
              const double                  small_force,
              LipVector                    &c) const;
 
@@ -146,8 +140,8 @@ namespace Crevasse
 
     const unsigned int               n;
     const std::vector<LipVector>     weights;
-    dealii::LAPACKFullMatrix<double> inverse; ///< S
-    dealii::LAPACKFullMatrix<double> sigma;   ///< Σ
+    dealii::LAPACKFullMatrix<double> inverse;  ///< S
+    LipVector                        diagonal; ///< of Σ
     mutable unsigned int             unsolved = 0;
   };
 } // namespace Crevasse

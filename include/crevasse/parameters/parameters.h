@@ -111,6 +111,7 @@ namespace Crevasse
     FormulaMatrix viscosity_matrix{"", material_matrix("Viscosity matrix")};
     Formula viscosity_time_factor{"1", time_factor("Viscosity time factor")};
     Parsed<std::vector<ChainBranch>> chain{"", parse_chain};
+    Formula  chain_shift{"1", material_formula("Chain shift")};
     Formulas thermal_expansion{"0", material_components("Thermal expansion")};
 
     /** Strain of the body without stress, which is an effect. */
@@ -125,6 +126,10 @@ namespace Crevasse
     /** All free strains: code that handles one handles each. */
     std::vector<FreeStrain>
     free_strains() const;
+
+    /** Bodies of the chain, with shifted relaxation times. */
+    std::vector<ChainBranch>
+    branches() const;
 
     /** Nonlinear creep law, or null. */
     const CreepLaw *
@@ -302,7 +307,6 @@ namespace Crevasse
     static constexpr const char *section = "Periodic state";
 
     PeriodicMethodType method          = PeriodicMethodType::automatic;
-    StartFrom          start_from      = StartFrom::rest;
     SecularSplitType   secular_split   = SecularSplitType::automatic;
     unsigned int       maximum_periods = 100;
     /** Estimated error of the stress, relative to its maximum, at which the
@@ -310,10 +314,17 @@ namespace Crevasse
     double       tolerance      = 1e-6;
     unsigned int anderson_depth = 15;
     unsigned int averaged_poles = 2;
-    HarmonicRule harmonics      = HarmonicRule::trapezoid;
+    /** Quantity that the tolerance is for: "stress", "K_I", "opening", or
+     * "probe" and its name. */
+    std::string               converged_quantity = "stress";
+    std::vector<unsigned int> missions; ///< empty: the periodic state
+    double                    mission_tolerance = 1e-2;
+    HarmonicRule              harmonics         = HarmonicRule::trapezoid;
 
     void
     add_parameters(dealii::ParameterHandler &prm);
+    void
+    check(Problems &problems) const;
   };
 
   /** Parameters of section Crack tip: stress intensity and growth laws. */

@@ -212,23 +212,6 @@ namespace Crevasse
       "the fastest method that the scene allows, and another one if it fails.";
   };
 
-  enum class StartFrom
-  {
-    rest,
-    fourier
-  };
-
-  template <>
-  struct Selection<StartFrom>
-  {
-    static constexpr NamedValue<StartFrom> rows[] = {{StartFrom::rest, "rest"},
-                                                     {StartFrom::fourier,
-                                                      "fourier"}};
-    static constexpr const char           *meaning =
-      "Initial viscous strain of \"march\" and \"anderson\": \"rest\" is zero, "
-      "\"fourier\" is the result of harmonic balance.";
-  };
-
   enum class SecularSplitType
   {
     automatic,

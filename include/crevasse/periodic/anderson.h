@@ -20,9 +20,7 @@ namespace Crevasse
    *
    * The distance of two motions of a Maxwell body with contact never grows in
    * this norm: the acceleration can recognise wrong combinations, and needs no
-   * restart. Where the lip is open, strains without stress drift under a mean
-   * load that closes it. The acceleration follows these drifts if the strain is
-   * known to return.
+   * restart.
    *
    * The error of the stress is estimated before the next period is computed:
    * the distance to the fixed point, times the largest change of stress per
@@ -47,7 +45,7 @@ namespace Crevasse
       : periods(periods)
       , coordinates(coordinates)
       , slowness(slowness)
-      , acceleration({parameters.anderson_depth, periods.strain_returns()})
+      , acceleration({parameters.anderson_depth})
     {
     }
 
@@ -95,10 +93,11 @@ namespace Crevasse
         }
     }
 
-    const AndersonAcceleration::Counts &
-    counts() const
+    /** Number of steps that combined fewer periods than they might. */
+    unsigned int
+    n_shortened() const
     {
-      return acceleration.counts();
+      return acceleration.n_shortened();
     }
 
   private:

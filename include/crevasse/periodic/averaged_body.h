@@ -48,9 +48,8 @@ namespace Crevasse
      * last one must outlive this object. Collective.
      *
      * @param n_poles 1 or 2.
-     * @param bounds of the lip.
-     * @param stresses see AveragedMaterial.
-     * @throw SceneError if there is a lip, but no direct linear solver. */
+     * @param bounds of the lip; with a lip the linear solver must be direct.
+     * @param stresses see AveragedMaterial. */
     AveragedBody(const Body<dim>         &body,
                  const Stages            &stages,
                  const UnilateralBounds  &bounds,
@@ -73,6 +72,31 @@ namespace Crevasse
               LipHistory   &lip,
               Vector       &step,
               Vector       &residual);
+
+    /** Change of the viscous strain over n periods, linearly implicit in their
+     * number: with v of the moduli Mᵢ = wᵢK̄ (1/n + zᵢ)⁻¹, and the spring's,
+     *
+     *     δᵢ = Fᵢ + (n−1)/n [(1/n + zᵢ)⁻¹ (Fᵢ − Dv) + n Dv],
+     *
+     * whose contact forces are the mean ones of the lip shifted by
+     * (n−1)/n (n Lv − Sγ). Exact for n = 1. Collective.
+     *
+     * @param increment F.
+     * @param on_lip of the period of F: what was taken. */
+    Vector
+    jump(const Vector            &increment,
+         const LipHistory::OnLip &on_lip,
+         const unsigned int       n);
+
+    /** Lip at the stages of the last period, which is forgotten; openings as
+     * they would be without contact forces. Collective. */
+    LipHistory::OnLip
+    take(LipHistory &history) const;
+
+    /** Removes from a strain what causes no stress where the lip is held.
+     * Collective. */
+    void
+    remove_compatible(Vector &strain) const;
 
     /** Largest stress component that a viscous strain causes where the strain
      * is held. Collective. */
@@ -128,11 +152,6 @@ namespace Crevasse
     void
     change(const Vector &displacement, Vector &values, const Function &f) const;
 
-    /** Lip at the stages; openings as they would be without contact forces.
-     * @param[out] open false for nodes that press. */
-    LipHistory::OnLip
-    take(LipHistory &history, Set &open) const;
-
     /** Problem on the lip whose nodes have given values, except open ones. All
      * arguments must outlive it. */
     LipProblem
@@ -142,10 +161,43 @@ namespace Crevasse
     LipProblem
     flowing(LipVector &mean) const;
 
-    /** wB on the lip, where the spring of a chain bears the mean load: the
-     * shift c = LB − Sγ gives ḡ + γ. @param mean ḡ; by the solution ḡ + γ. */
+    /** A lip that moves with the flow. */
+    struct Moving
+    {
+      double of_flow;  ///< displacement of the lip per v of its part
+      double of_force; ///< the same of its compliance
+      double part = 1.;
+    };
+
+    /** v on the lip that is shifted by c = part (of_flow v − Sγ), and so bears
+     * ḡ + γ: as a chain's spring and jumps let it.
+     *
+     * @param compliance of the part's lip.
+     * @param mean ḡ; by the solution ḡ + γ. All must outlive the problem. */
     LipProblem
-    springing(const std::vector<LipVector> &openings, LipVector &mean) const;
+    moving(const dealii::LAPACKFullMatrix<double> &compliance,
+           const Moving                           &how,
+           const std::vector<LipVector>           &openings,
+           LipVector                              &mean) const;
+
+    /** Stiffness of the part's lip along the lip's normals. */
+    dealii::LAPACKFullMatrix<double>
+    stiffness_along_normals(const Part &part) const;
+
+    /** Moduli of jumps of n periods. */
+    struct JumpPart
+    {
+      unsigned int                     n;
+      Part                             part;
+      dealii::LAPACKFullMatrix<double> compliance; ///< of its lip
+    };
+
+    const JumpPart &
+    part_of_jump(const unsigned int n);
+
+    /** Adds the counts of a part's own system to the run's. */
+    void
+    count(const Part &part) const;
 
     const Body<dim>            &body;
     const UnilateralBounds     &bounds;
@@ -159,6 +211,7 @@ namespace Crevasse
     Part                        rigid; ///< strains that do not flow, or none
     LipVector                   sign;  ///< signs of all bounds
     std::optional<LipShift>     shift; ///< none without contact
+    std::deque<JumpPart>        jumps; ///< of the last jumps
   };
 } // namespace Crevasse
 

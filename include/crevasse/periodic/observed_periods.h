@@ -6,6 +6,7 @@
 
 #include <crevasse/base/checkpointer.h>
 #include <crevasse/base/meters.h>
+#include <crevasse/periodic/converged_quantity.h>
 #include <crevasse/periodic/return_defect.h>
 #include <crevasse/periodic/stress_history.h>
 #include <crevasse/time/integrator.h>
@@ -28,6 +29,10 @@ namespace Crevasse
     bool steps_repeat = true;
     /** ReturnDefect over the last period; 0 if it is ignored. */
     double return_defect = 0.;
+    /** Estimated error of the last period that the tolerance is for. */
+    double judged_error = 0.;
+    /** Where the stress changed most in the last period, for the log. */
+    std::string place;
 
     // Changes and errors of the stress by period, see PeriodReport.
     std::vector<double> stress_change;
@@ -38,7 +43,9 @@ namespace Crevasse
   struct SearchLimits
   {
     unsigned int maximum_periods;
-    double       tolerance; ///< limit of the stress' error estimate; 0: none
+    double       tolerance; ///< limit of the error estimate; 0: none
+    /** Quantity whose error is limited; null: the stress. */
+    ConvergedQuantity *quantity = nullptr;
   };
 
   /**
@@ -166,18 +173,19 @@ namespace Crevasse
       ignores_drift = true;
     }
 
-    /** Whether the viscous strain is known to be periodic in the end. */
-    bool
-    strain_returns() const
-    {
-      return defect != nullptr;
-    }
-
     /** Reports the computed period to the observers.
      *
-     * @param error_estimate of the period's stress; nan: unknown. */
+     * @param error_estimate of the period's stress; nan: unknown.
+     * @param mission number of the mission that the period is; 0: none. */
     void
-    report(const double error_estimate);
+    report(const double error_estimate, const unsigned int mission = 0);
+
+    /** Lets no other period begin. */
+    void
+    end_search()
+    {
+      has_ended = true;
+    }
 
     /** Solves for the state at the end of the last period, which otherwise only
      * the next period would; shows it to the observers if @p is_shown. */
@@ -218,7 +226,8 @@ namespace Crevasse
     bool
     is_over() const
     {
-      return so_far.converged || so_far.periods >= limits.maximum_periods;
+      return has_ended || so_far.converged ||
+             so_far.periods >= limits.maximum_periods;
     }
 
     /** Number of variational inequalities solved so far. */
@@ -279,6 +288,7 @@ namespace Crevasse
     Vector r_before, u_before; ///< r and u at the beginning of the period
     Vector sum_of_steps, shown_strain; ///< increment(), r of a sample
     bool   sums_increments = false;
+    bool   has_ended       = false;
     bool   ignores_drift   = false;
     bool   lip_opens       = false; ///< whether the whole lip is open and opens
 

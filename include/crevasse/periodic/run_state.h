@@ -28,8 +28,8 @@ namespace Crevasse
     double           largest_displacement = 0.;
     double           largest_opening      = 0.;
 
-    bool fourier_failed = false; ///< whether Fourier failed on this mesh
-    bool was_resumed    = false; ///< whether this mesh was resumed
+    bool method_failed = false; ///< whether another method has taken over
+    bool was_resumed   = false; ///< whether this mesh was resumed
 
     dealii::Timer timer; ///< runs since the set-up of the meshes
 
@@ -63,7 +63,7 @@ namespace Crevasse
       archive.common(largest_opening);
       Stopwatch::update();
       archive.common(meters);
-      archive.common(fourier_failed);
+      archive.common(method_failed);
     }
   };
 } // namespace Crevasse

@@ -54,6 +54,20 @@ namespace Crevasse
       return largest_of_last;
     }
 
+    /** Largest change of stress of the last period on this rank, and the index
+     * of the local entry that changed so. */
+    struct Place
+    {
+      double       change = 0.;
+      unsigned int entry  = 0;
+    };
+
+    const Place &
+    place() const
+    {
+      return place_of_last;
+    }
+
     void
     serialize(StateArchive &archive);
 
@@ -70,8 +84,8 @@ namespace Crevasse
     std::size_t             n_new      = 0; ///< new instants of this period
     bool                    comparable = true;
 
-    MPI_Comm communicator    = MPI_COMM_SELF;
-    double   largest_change  = 0.;
+    MPI_Comm communicator = MPI_COMM_SELF;
+    Place    largest_change, place_of_last;
     double   largest         = 0.;
     double   largest_of_last = 0.;
   };

@@ -78,7 +78,7 @@ namespace Crevasse
         report.period,
         report.end_time,
         shown("%.6e", report.stress_change, report.period > 1).c_str(),
-        shown("%.1e", report.stress_error_estimate, true).c_str(),
+        shown("%.1e", report.judged_error, report.judged_error <= 1.).c_str(),
         report.vi_solves));
     }
 

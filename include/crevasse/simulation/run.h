@@ -16,6 +16,7 @@
 #include <crevasse/postprocess/crack_tip_analysis.h>
 #include <crevasse/postprocess/load_factors.h>
 #include <crevasse/postprocess/probe.h>
+#include <crevasse/postprocess/tip_table.h>
 #include <crevasse/simulation/period_estimate.h>
 #include <crevasse/time/evolution.h>
 #include <crevasse/time/integrator_choice.h>
@@ -109,9 +110,9 @@ namespace Crevasse
     std::unique_ptr<Integrator> integrator;       ///< null without viscosity
     const Magnitudes            magnitudes;
 
+    const SolverChoice       solvers;
     PeriodicChoice           choice; ///< choice, or its replacement
     SecularSplit             split;
-    const SolverChoice       solvers;
     std::vector<std::string> later_warnings; ///< of prepare()
 
     ContactSystemCache<dim> systems;
@@ -130,6 +131,7 @@ namespace Crevasse
 
     std::unique_ptr<PeriodEstimate<dim>>   estimate; ///< null: mesh stays
     std::vector<std::unique_ptr<Observer>> observers;
+    ConvergedQuantity *quantity = nullptr; ///< an observer; null: the stress
 
   private:
     /** Finds what describes the crack's tips or front. */
@@ -139,6 +141,10 @@ namespace Crevasse
     /** Finds tips with K; "automatic" switches K off if no tip has a K. */
     void
     find_tips_with_intensity();
+
+    /** @throw SceneError if the body has no Converged quantity. */
+    void
+    check_quantity() const;
 
     // Parts of prepare().
     void
@@ -155,6 +161,17 @@ namespace Crevasse
     /** Creates the observers that write or print what the scene asks for. */
     void
     make_observers();
+    /** Creates the table of missions, or the quantity that ends the search.
+     *
+     * @param lip its totals at the last sample.
+     * @param tips their tables.
+     * @param table creates a table of a name and columns. */
+    void
+    make_goal(
+      const LipTotals                                                 &lip,
+      const std::vector<const TipTable *>                             &tips,
+      const std::function<CsvTable(const std::string &,
+                                   const std::vector<std::string> &)> &table);
 
     // Parts of search().
     void
@@ -176,9 +193,9 @@ namespace Crevasse
                         Checkpointer                  &writer,
                         const PeriodicResult          &before,
                         const unsigned int             last_period);
+    /** Finds the periodic state or the missions by the averaged body. */
     void
-    correct_by_average(ObservedPeriods<dim>   &periods,
-                       const UnilateralBounds &bounds);
+    use_average(ObservedPeriods<dim> &periods, const UnilateralBounds &bounds);
   };
 } // namespace Crevasse
 

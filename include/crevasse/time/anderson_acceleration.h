@@ -36,12 +36,6 @@ namespace Crevasse
    * points result from differences across a kink of G, e.g. where a lip begins
    * to touch. Then the oldest differences are left out, one after the other,
    * until the point is possible; without differences it is G(x).
-   *
-   * A residual that is the same from point to point is a drift, which
-   * combinations explain only in part. The drift is followed by 1, 2, 4, …
-   * residuals at once, as far as possible (projective integration: Gear and
-   * Kevrekidis, SIAM J. Sci. Comput. 24, 2003), and from its end by half as
-   * many the next time.
    */
   class AndersonAcceleration
   {
@@ -52,17 +46,9 @@ namespace Crevasse
     struct Settings
     {
       unsigned int depth; ///< largest number of differences
-      bool         follows_drift = false;
       /** Whether G moves no two points apart, so that points can be found to be
        * impossible. */
       bool contracts = true;
-    };
-
-    /** Numbers of steps that do not simply combine all differences. */
-    struct Counts
-    {
-      unsigned int shortened = 0; ///< oldest differences left out
-      unsigned int leaps     = 0; ///< drifts followed by > 1 residual
     };
 
     explicit AndersonAcceleration(const Settings &settings)
@@ -100,10 +86,11 @@ namespace Crevasse
     double
     unexplained_distance() const;
 
-    const Counts &
-    counts() const
+    /** Number of steps without the oldest differences. */
+    unsigned int
+    n_shortened() const
     {
-      return so_far;
+      return shortened;
     }
 
     void
@@ -131,17 +118,11 @@ namespace Crevasse
     bool
     is_possible(const Vector &x) const;
 
-    /** Extends the step from the last point to @p x along a drift, if any. */
-    void
-    follow_drift(Vector &x);
-
     const Settings   settings;
     std::deque<Pair> pairs;              ///< points, newest last
     double           unexplained   = 0.; ///< norm |f − ΔF γ|
     double           residual_norm = 0.; ///< norm |f|
-    double           change        = 0.; ///< relative change of f
-    double           leap          = 1.; ///< next leap, in residuals
-    Counts           so_far;
+    unsigned int     shortened     = 0;
   };
 } // namespace Crevasse
 

@@ -45,6 +45,23 @@ namespace Crevasse
     {
       std::vector<LipVector> openings; ///< L q − gap
       std::vector<LipVector> forces;   ///< g divided by the stiffness factor
+
+      void
+      serialize(StateArchive &archive)
+      {
+        for (auto *values : {&openings, &forces})
+          {
+            std::size_t n = values->size();
+            archive.common(n);
+            values->resize(n);
+            for (LipVector &value : *values)
+              {
+                std::vector<double> numbers(value.begin(), value.end());
+                archive.common(numbers);
+                value = LipVector(numbers.begin(), numbers.end());
+              }
+          }
+      }
     };
 
     /** Makes all ranks know the lip at the stages, whose instants were

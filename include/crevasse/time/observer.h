@@ -39,10 +39,12 @@ namespace Crevasse
     double stress_change;
     /** Estimated distance to the periodic stress, by the method of the search;
      * nan if unknown. */
-    double      stress_error_estimate;
-    double      largest_stress;
-    std::size_t vi_solves; ///< solves in this period
-    double      seconds;   ///< seconds for this period
+    double       stress_error_estimate;
+    double       judged_error; ///< the same of what ends the search
+    double       largest_stress;
+    std::size_t  vi_solves;   ///< solves in this period
+    double       seconds;     ///< seconds for this period
+    unsigned int mission = 0; ///< number of the mission; 0: none
   };
 
   /** Receives every accepted step and every period of a run. */

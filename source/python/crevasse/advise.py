@@ -129,7 +129,6 @@ class Advice:
                 f"{mesh.name}__{steps.name}__one_period",
                 self.common | mesh.settings | steps.settings
                 | {"Periodic state/Method": "march",
-                   "Periodic state/Start from": "rest",
                    "Periodic state/Tolerance": 0, "Periodic state/Maximum periods": 1})
             if trial.usable:  # before much is computed
                 self.errors.require_histories(trial)

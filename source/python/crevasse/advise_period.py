@@ -18,7 +18,7 @@ LEVEL = 1  # a few more steps than the fewest
 
 
 def settings_of(method, tolerance, periods):
-    return {"Periodic state/Method": method, "Periodic state/Start from": "rest",
+    return {"Periodic state/Method": method,
             "Periodic state/Tolerance": f"{tolerance:.12g}",
             "Periodic state/Maximum periods": periods}
 

@@ -87,8 +87,7 @@ def is_periodic(scene):
     """Whether a scene looks for its periodic state. The periods before the last are then
     steps of a search, and how many there are depends on the method."""
     return (float(scene["Periodic state/Tolerance"]) > 0
-            or scene["Periodic state/Method"] != "march"
-            or scene["Periodic state/Start from"] != "rest")
+            or scene["Periodic state/Method"] != "march")
 
 
 def depends_on_constant(table):

@@ -237,8 +237,7 @@ class Sweep:
             return
         scene = self.scenes[number + 1]
         period = float(scene["Loads/Period"])
-        from_rest = (scene["Periodic state/Method"] == "march"
-                     and scene["Periodic state/Start from"] == "rest")
+        from_rest = scene["Periodic state/Method"] == "march"
         for name, formula in self.quantities.items():
             result.errors[name] = (
                 self.stress_error(folder, result, period) if name == STRESS else

@@ -204,45 +204,6 @@ namespace
 
 
 
-  /** x ← x − 1 far from the fixed point 0, and x/2 near to it: a lip that
-   * drifts until it touches. */
-  double
-  after_drift(const double x)
-  {
-    return x - std::min(1., x / 2.);
-  }
-
-
-
-  void
-  check_drift()
-  {
-    AndersonAcceleration acceleration({5, true});
-    Vector               x(1), image(1);
-    x(0)              = 1e5;
-    unsigned int n    = 0;
-    double       last = 0.;
-    for (; n < 100 && x(0) > 2.; ++n)
-      {
-        last     = x(0);
-        image(0) = after_drift(x(0));
-        acceleration.add(x, image);
-        acceleration.extrapolate(x);
-      }
-    check("a drift of 1e5 periods ends within 18 steps", n <= 18);
-    check("all but the first two are leaps",
-          acceleration.counts().leaps == n - 2);
-
-    // From there the line through the last two points leads back to the drift,
-    // by hardly more than a residual.
-    image(0) = after_drift(x(0));
-    acceleration.add(x, image);
-    acceleration.extrapolate(x);
-    check("it is not followed beyond what is known", x(0) > 2. && x(0) < last);
-  }
-
-
-
   /** x ← x − ∇φ(x) with a convex φ that has kinks in its gradient: springs that
    * bear some directions only on one side. Points to an error of 1e-8. */
   unsigned int
@@ -302,7 +263,6 @@ periodic_methods()
   check_linear_maps();
   check_memory();
   check_contraction();
-  section("drift and kinks");
-  check_drift();
+  section("kinks");
   check_kinks();
 }

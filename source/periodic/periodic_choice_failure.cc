@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Crevasse authors
+
+#include <crevasse/base/text.h>
+#include <crevasse/periodic/observed_periods.h>
+#include <crevasse/periodic/periodic_choice.h>
+
+#include <cmath>
+
+namespace Crevasse
+{
+  namespace
+  {
+    /** Estimated number of further periods of a march at the current rate, in
+     * brackets; empty if unknown. */
+    std::string
+    periods_to_go(const PeriodicResult &result, const double tolerance)
+    {
+      const double change = result.stress_change.back();
+      const double error  = result.stress_error_estimate.back();
+      // A ReturnDefect does not fall with the changes.
+      if (result.periods < 3 || result.return_defect >= error ||
+          !std::isfinite(error))
+        return "";
+      return Text::Message() << " (about "
+                             << std::ceil(std::log(tolerance / error) /
+                                          std::log(error / (change + error)))
+                             << " more at the current rate)";
+    }
+  } // namespace
+
+
+
+  std::string
+  PeriodicChoice::message_of_failure(const PeriodicStateParameters &parameters,
+                                     const PeriodicResult &result) const
+  {
+    if (!parameters.missions.empty())
+      return "[Periodic state] Maximum periods = " +
+             std::to_string(parameters.maximum_periods) +
+             " ended the run before the last of Missions. All results so far "
+             "are written. Raise it and continue by --resume, or raise Mission "
+             "tolerance.";
+    const double  error = result.judged_error;
+    Text::Message message;
+    message << "The stress is not yet periodic: after " << result.periods
+            << (result.periods == 1 ? " period" : " periods");
+    message << " it still changes by " << result.stress_change.back()
+            << " of its maximum";
+    if (!result.place.empty())
+      message << ", most " << result.place;
+    message << ", and ";
+    if (parameters.converged_quantity == "stress")
+      message << "its error is ";
+    else
+      message << "the error of " << parameters.converged_quantity << " is ";
+    // The estimate of a stress that hardly relaxes may exceed it.
+    if (error <= 1.)
+      message << "estimated as " << error << ", more than ";
+    else
+      message << "not known to be within ";
+    message << "[Periodic state] Tolerance = " << parameters.tolerance;
+    if (!result.steps_repeat)
+      message << ", because adaptive steps do not repeat";
+    else if (result.periods > 1 && result.return_defect > parameters.tolerance)
+      message << ", because the viscous strain is not yet periodic";
+    message << ". All results so far are written. Raise \"Maximum periods\"";
+    if (method == PeriodicMethodType::march && result.steps_repeat)
+      message << periods_to_go(result, parameters.tolerance);
+    message << " and continue by --resume, allow a larger \"Tolerance\"";
+    if (!alternative.empty())
+      message << ", " << alternative << ',';
+    message << " or set Tolerance = 0 to compute a fixed number of periods.";
+    return message;
+  }
+} // namespace Crevasse

@@ -1,0 +1,115 @@
+"""Missions: periods of the motion from rest that are reached by leaps over periods,
+against marches; and searches that end on what is asked."""
+
+from averaged_scenes import LOAD, MESH, WARM, relaxation
+from crevasse_run import check, check_below, execute, full, overrides, tier
+from periodic_scenes import (BODY, COMMON, compute, difference, log, method, period,
+                             steps, traction)
+
+# Bodies whose stress still changes between the hundredth and the thousandth period.
+BODIES = {
+    "varies": LOAD + WARM + relaxation(6, 0.5),
+    "opens": [traction("0; 10*sin(2*pi*t/600) + 3")] + relaxation(8, 0.5),
+    "chain": LOAD + ["Material/Viscosity=chain",
+                     "Material/Chain=0.6: 30*10^(6*(1-x^2)); 0.3: 3000"]}
+
+
+def missions(numbers, *more):
+    return ["Time integration/Scheme=sdirk2", "Periodic state/Method=automatic",
+            "Periodic state/Maximum periods=300",
+            f"Periodic state/Missions={numbers}", *more]
+
+
+def test_missions():
+    """As a march of so many periods, but with a few dozen evaluations."""
+    for name, body in BODIES.items():
+        settings = MESH + steps(20) + body
+        for numbers, most in tier([("10", 10), ("10, 1000", 60)],
+                                  [("10", 10), ("10, 100, 1000", 60),
+                                   ("10, 100, 1000, 10000", 80)]):
+            found = compute("found", settings + missions(numbers))
+            n = int(numbers.split(",")[-1])
+            marched = compute("marched", settings + method("march", "sdirk2", 0, n))
+            factors = [r.summary["counters"]["factorisations"]
+                       for r in (found, marched)]
+            rows = found.table("missions.csv")
+            evaluations = int(rows["evaluations"][-1])
+            check([int(x) for x in rows["mission"]]
+                  == [int(x) for x in numbers.split(",")], "a row for each")
+            check(evaluations <= most, f"{name}: {evaluations} evaluations for {n}")
+            if n > 10:
+                check(factors[0] - factors[1] <= 0.8 * evaluations,
+                      f"{factors[0]} factorisations, {factors[1]} for steps")
+            check_below(difference(marched, found), 1e-10 if n == 10 else 1.5e-3,
+                        f"{name}, period {n}, {evaluations} evaluations: difference")
+            here = max(period(marched, "probe_mouth.csv", "opening"))
+            check_below(abs(rows["opening_largest"][-1] / here - 1),
+                        1e-8 if n == 10 else 1e-2, "opening")
+
+
+def test_quantities():
+    """The search ends on what is asked; the error is that of the quantity."""
+    settings = MESH + steps(20) + relaxation(1.5) + [
+        traction("0; 10*sin(2*pi*t/600)"), "Crack tip/Stress intensity=true"]
+    for way in ("march", "averaged"):
+        # K_I of the integral knows strain without stress, by the error of the mesh.
+        exact = compute("exact", settings + method(way, "sdirk2", 1e-9, 5000))
+        plain = compute("plain", settings + method(way, "sdirk2", 1e-4))
+        for quantity in ("K_I", "opening", "probe body"):
+            found = compute("found", settings + method(way, "sdirk2", 1e-4) + [
+                f"Periodic state/Converged quantity={quantity}"])
+            table, column = {
+                "K_I": ("crack_tip.csv", "K_I"),
+                "opening": ("probe_mouth.csv", "opening"),
+                "probe body": ("probe_body.csv", "s_22")}[quantity]
+            mine, right = (period(r, table, column) for r in (found, exact))
+            mean = [sum(values) / len(values) if quantity == "opening" else 0.
+                    for values in (mine, right)]
+            error = max(abs((a - mean[0]) - (b - mean[1]))
+                        for a, b in zip(mine, right)) / max(map(abs, right))
+            check_below(error, 3e-4, f"{way}, {quantity}: "
+                        f"{found.summary['periods']} periods, error")
+            check(found.summary["periods"] <= plain.summary["periods"] + 2,
+                  f"{plain.summary['periods']} for the stress")
+
+
+def test_place():
+    """A search that ends too early tells where, and prints no error beyond 1."""
+    settings = MESH + steps(20) + LOAD + relaxation(8)
+    stopped = compute("stopped", settings + method("march", "sdirk2", 1e-6, 4),
+                      status=3)
+    text = log(stopped)
+    check("not known to be within" in text, "no number beyond 1")
+    check("in material" in text and "whose relaxation time is" in text, "the place")
+
+
+def test_refusals():
+    for settings, reason in (
+            (["Periodic state/Missions=100, 10"], "must increase"),
+            (["Periodic state/Missions=10", "Periodic state/Method=march"], "leaps"),
+            (["Periodic state/Converged quantity=K"], "must be stress"),
+            (["Periodic state/Converged quantity=probe nowhere"], "mouth"),
+            (["Periodic state/Missions=10", "Material/Viscosity=power law",
+              "Material/Creep exponent=3", "Material/Creep coefficient=1e-11"],
+             "linear creep")):
+        code, _, error = execute(BODY, "--output", "results/refused", *overrides(
+            COMMON + MESH + LOAD + ["Periodic state/Method=automatic"] + settings))
+        check(code == 2 and reason in error, f"{reason}: {code}, {error}")
+
+
+@full
+def test_ten_thousand():
+    """The number of evaluations grows with the logarithm of that of periods."""
+    for name, body in BODIES.items():
+        found = compute("far", MESH + steps(20) + body + missions("1000000"))
+        rows = found.table("missions.csv")
+        check(rows["evaluations"][-1] <= 120,
+              f"{name}: {rows['evaluations'][-1]:.0f} evaluations")
+
+
+if __name__ == "__main__":
+    test_missions()
+    test_quantities()
+    test_place()
+    test_refusals()
+    test_ten_thousand()
