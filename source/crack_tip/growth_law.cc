@@ -67,6 +67,20 @@ namespace Crevasse
 
 
 
+  double
+  growth_over_period(const CrackTipParameters &law, const TipHistory &history)
+  {
+    const auto &parts = traits(law.growth_law);
+    return (parts.has_paris_part // NaN propagates
+              ? law.paris_factor *
+                  std::pow(std::max(history.range - law.paris_threshold, 0.),
+                           law.paris_exponent)
+              : 0.) +
+           (parts.has_creep_part ? creep_growth(law, history) : 0.);
+  }
+
+
+
   void
   summarise_growth(const CrackTipParameters &law,
                    const TipHistory         &history,
@@ -77,22 +91,17 @@ namespace Crevasse
     if (law.growth_law == GrowthLawType::none)
       return;
     const std::string text   = describe_growth_law(law);
-    const auto       &parts  = traits(law.growth_law);
-    const double      growth = // NaN propagates
-      (parts.has_paris_part
-         ? law.paris_factor *
-             std::pow(std::max(history.range - law.paris_threshold, 0.),
-                      law.paris_exponent)
-         : 0.) +
-      (parts.has_creep_part ? creep_growth(law, history) : 0.);
-    tip["growth_law"] = text;
-    tip["da_dN"]      = growth; // null if not finite
+    const double      growth = growth_over_period(law, history);
+    tip["growth_law"]        = text;
+    tip["da_dN"]             = growth; // null if not finite
     if (!std::isfinite(growth))
       tip["no_da_dN"] = "the growth law gives no finite growth";
     tip["da_dt"] = growth / history.period();
     log.line(title + "grows by " + Text::from_number(growth, 5) +
              " a period (" + text +
-             (parts.has_paris_part ? "; in dK, K < 0 counts as 0)" : ")"));
+             (traits(law.growth_law).has_paris_part
+                ? "; in dK, K < 0 counts as 0)"
+                : ")"));
   }
 
 

@@ -337,13 +337,22 @@ namespace Crevasse
                      (context.closure != nullptr && instants.size() > 1
                         ? summarise_closure(tip)
                         : ""));
+    analysis.summarise_growth(history(), title, tip, context.log);
+  }
+
+
+
+  TipHistory
+  TipTable::history() const
+  {
+    const auto [least, most] = range(opening_of);
     TipHistory history;
     history.instants = instants;
     for (const TipValues &values : of_last_period)
       history.intensity.push_back(values.equivalent);
     history.range  = equivalent_range(std::max(most, 0.) - std::max(least, 0.));
     history.c_star = analysis.c_star(context.flow);
-    analysis.summarise_growth(history, title, tip, context.log);
+    return history;
   }
 
 

@@ -135,8 +135,8 @@ namespace Crevasse
   {
     const std::string &name   = scene.periodic_state.converged_quantity;
     const std::string setting = "[Periodic state] Converged quantity = " + name;
-    if (name == "K_I" && crack_tips.empty())
-      throw SceneError(setting + ": there is no crack tip in a plane with K_I");
+    if (name == "K_I" && crack_tips.empty() && crack_front == nullptr)
+      throw SceneError(setting + ": there is no crack tip with K_I");
     if (name == "opening" && !body.effects.contact.on)
       throw SceneError(setting + ": there is no lip that may touch");
     if (name.rfind("probe ", 0) != 0)

@@ -243,7 +243,7 @@ namespace Crevasse
       report_end_by_change(result, parameters.tolerance, log);
     if (!parameters.missions.empty())
       {
-        if (result.periods >= parameters.maximum_periods)
+        if (!result.has_all_missions)
           throw NumericalError(choice.message_of_failure(parameters, result));
         return;
       }

@@ -5,6 +5,7 @@
 #include <crevasse/postprocess/crack_front_table.h>
 #include <crevasse/postprocess/creep_integral_table.h>
 #include <crevasse/postprocess/field_writer.h>
+#include <crevasse/postprocess/mission_table.h>
 #include <crevasse/postprocess/period_table.h>
 #include <crevasse/postprocess/probe_tables.h>
 #include <crevasse/postprocess/slip_while_closed.h>
@@ -159,8 +160,61 @@ namespace Crevasse
       void
       add_front()
       {
-        add(std::make_unique<CrackFrontTable>(
+        front = add(std::make_unique<CrackFrontTable>(
           *run.crack_front, run.steps, path("crack_front.csv"), run.log));
+      }
+
+      void
+      add_missions()
+      {
+        std::vector<PeriodNumber> numbers;
+        const auto include = [&numbers](const std::vector<PeriodNumber> &more) {
+          numbers.insert(numbers.end(), more.begin(), more.end());
+        };
+        for (unsigned int i = 0; i < tips.size(); ++i)
+          include(tips[i]->period_numbers(
+            tips.size() > 1 ? "_" + std::to_string(i + 1) : ""));
+        if (front != nullptr)
+          include(front->period_numbers());
+        if (body.effects.contact.on)
+          numbers.emplace_back("opening_largest", [&state = run.state] {
+            return state.largest_opening;
+          });
+        add(std::make_unique<MissionTable>(
+          table("missions.csv", MissionTable::columns(numbers)), numbers));
+      }
+
+      /** @param lip the lip's state at the last sample. */
+      ConvergedQuantity *
+      add_quantity(const LipTotals &lip)
+      {
+        constexpr double   rounding = 1e-12;
+        const std::string &name = run.scene.periodic_state.converged_quantity;
+        ConvergedQuantity::Values values = [&lip](const Sample &) {
+          return std::vector<double>{lip.largest_opening};
+        };
+        if (name == "K_I")
+          values = [tips = tips, front = front](const Sample &) {
+            if (front != nullptr)
+              return front->latest();
+            std::vector<double> all;
+            for (const TipTable *tip : tips)
+              all.push_back(tip->latest().intensity[0]);
+            return all;
+          };
+        for (const auto &probe : run.probes)
+          if (name == "probe " + probe.name)
+            values = [&probe, this_body = &body](const Sample &sample) {
+              const auto                local = probe.local_values(sample);
+              const std::vector<double> stress(local.begin() + dim,
+                                               local.end() - 2);
+              std::vector<double>       all(stress.size());
+              Utilities::MPI::sum(stress, this_body->space.communicator(), all);
+              return all;
+            };
+        return add(
+          std::make_unique<ConvergedQuantity>(values,
+                                              rounding * run.steps.period()));
       }
 
       void
@@ -211,15 +265,7 @@ namespace Crevasse
                                           run.log));
       }
 
-      CsvTable
-      table(const std::string &name, const std::vector<std::string> &columns)
-      {
-        names.push_back(name);
-        return CsvTable(path(name), columns, run.state.has_tables());
-      }
-
       std::vector<std::string> names; ///< of tables that a resumed run extends
-      std::vector<const TipTable *> tips; ///< tables of tips with K
 
     private:
       /** Path of a file; none on ranks that do not write. */
@@ -229,10 +275,20 @@ namespace Crevasse
         return writes ? run.checkpoints.directory + '/' + name : "";
       }
 
+      CsvTable
+      table(const std::string &name, const std::vector<std::string> &columns)
+      {
+        names.push_back(name);
+        return CsvTable(path(name), columns, run.state.has_tables());
+      }
+
       Run<dim>        &run;
       const Body<dim> &body;
       const bool       writes;
       FieldInstants    instants;
+
+      std::vector<const TipTable *> tips;            ///< with K
+      const CrackFrontTable        *front = nullptr; ///< null: there is none
     };
   } // namespace
 
@@ -272,11 +328,10 @@ namespace Crevasse
       outputs.add(std::make_unique<StressWriter<dim>>(body,
                                                       checkpoints.directory +
                                                         "/stress_samples.bin"));
-    make_goal(lip,
-              outputs.tips,
-              [&outputs](const auto &name, const auto &columns) {
-                return outputs.table(name, columns);
-              });
+    if (!scene.periodic_state.missions.empty())
+      outputs.add_missions();
+    else if (scene.periodic_state.converged_quantity != "stress")
+      quantity = outputs.add_quantity(lip);
     outputs.add_periods(lip);
     checkpoints.set_tables(outputs.names);
   }

@@ -23,6 +23,13 @@ def relaxation(decades, varying=0., hot=30.):
 IN_SPACE = (9, 29, 49, 69)
 
 
+def box_scene(load):
+    return ["Dimension=3", "Geometry/Thickness=0.5", "Geometry/Subdivisions=6, 4, 2",
+            "Boundary/Symmetry=2, 5, 6", "Boundary/Fixed points=automatic",
+            "Output/Probes=mouth: 1, 0, 0; top: 0.25, 1, 0; body: 0.3, 0.6, 0.2",
+            traction(f"0; {load}; 0")]
+
+
 def shape_of(seed, load):
     """The body and its load: of ten, one has a crack with two lips and one is a
     cylinder; four are boxes."""
@@ -36,11 +43,7 @@ def shape_of(seed, load):
                 "Boundary/Symmetry=1, 2", "Boundary/Fixed points=none",
                 traction(f"0; {load}")]
     if seed in IN_SPACE:
-        return ["Dimension=3", "Geometry/Thickness=0.5",
-                "Geometry/Subdivisions=6, 4, 2", "Boundary/Symmetry=2, 5, 6", "Boundary/Fixed points=automatic",
-                "Output/Probes=mouth: 1, 0, 0; top: 0.25, 1, 0; "
-                "body: 0.3, 0.6, 0.2",
-                traction(f"0; {load}; 0")]
+        return box_scene(load)
     return ["Geometry/Subdivisions=10, 6", traction(f"0; {load}")]
 
 

@@ -799,7 +799,7 @@ def test_not_yet_periodic():
                      "Periodic state/Tolerance=1e-8")
     check_messages("not yet periodic", *result, 3,
                    [r"not yet periodic: after 2 periods it still changes by "
-                    r"\S+ of its maximum, and its error is not known",
+                    r"\S+ of its maximum, most at \(.*, and its error is not known",
                     "results so far are written",
                     r"\[Periodic state\] Tolerance = 1e-0?8",
                     '"Maximum periods" and continue'])

@@ -1,8 +1,8 @@
 """Missions: periods of the motion from rest that are reached by leaps over periods,
 against marches; and searches that end on what is asked."""
 
-from averaged_scenes import LOAD, MESH, WARM, relaxation
-from crevasse_run import check, check_below, execute, full, overrides, tier
+from averaged_scenes import LOAD, MESH, WARM, box_scene, relaxation
+from crevasse_run import check, check_below, execute, full, overrides, run, tier
 from periodic_scenes import (BODY, COMMON, compute, difference, log, method, period,
                              steps, traction)
 
@@ -45,6 +45,30 @@ def test_missions():
             here = max(period(marched, "probe_mouth.csv", "opening"))
             check_below(abs(rows["opening_largest"][-1] / here - 1),
                         1e-8 if n == 10 else 1e-2, "opening")
+
+
+def test_numbers():
+    """K and growth of a mission are those of its period; so are they along a front."""
+    words = missions("5, 12", "Crack tip/Stress intensity=true",
+                     "Crack tip/Crack growth law=paris", "Crack tip/Paris factor=1e-6",
+                     "Crack tip/Paris exponent=2")
+    found = compute("plane", MESH + steps(20) + LOAD + relaxation(3) + words)
+    row = {name: values[-1] for name, values in found.table("missions.csv").items()}
+    K = period(found, "crack_tip.csv", "K_I")
+    check_below(abs(row["K_I_largest"] / max(K) - 1), 1e-12, "largest K_I")
+    check_below(abs(row["K_I_smallest"] - min(K)) / max(K), 1e-12, "smallest K_I")
+    growth = found.summary["crack_tip"]["da_dN"]
+    check_below(abs(row["da_dN"] / growth - 1), 1e-12, "growth")
+    space = box_scene("10*sin(2*pi*t/600) - 2") + steps(10) + [
+        "Material/Relaxation time=700", "Crack tip/Stress intensity=true"]
+    found = run(BODY, "space", COMMON + space + missions("3"))
+    front = found.table("crack_front.csv")
+    largest = max(K for t, K in zip(front["t"], front["K_I"]) if t < max(front["t"]))
+    rows = found.table("missions.csv")
+    check_below(abs(rows["K_I_largest"][0] / largest - 1), 1e-12, "K_I of a front")
+    ended = run(BODY, "front", COMMON + space + method("averaged", "sdirk2", 1e-4) + [
+        "Periodic state/Converged quantity=K_I"])
+    check(ended.summary["converged"], "K_I of the front ends the search")
 
 
 def test_quantities():
@@ -109,6 +133,7 @@ def test_ten_thousand():
 
 if __name__ == "__main__":
     test_missions()
+    test_numbers()
     test_quantities()
     test_place()
     test_refusals()

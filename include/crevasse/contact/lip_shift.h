@@ -107,7 +107,7 @@ namespace Crevasse
     add_inverse(const Set                  &set,
                 const LipVector            &weight,
                 const double                factor,
-                dealii::FullMatrix<double> &matrix) const;
+                dealii::FullMatrix<double> &sum) const;
 
     /** Takes nodes that ought to bear a force, but do not touch, as touching
      * at the instant of their least opening: adds what this changes in the

@@ -36,9 +36,7 @@ namespace Crevasse
   describe_growth_law(const CrackTipParameters &law);
 
   /**
-   * Adds the growth of the crack over the period to the summary of a tip, and
-   * to the log; nothing without a law. The growth is the sum of the parts of
-   * the law:
+   * Growth da/dN of the crack over the period, the sum of the parts of the law:
    *
    * - da/dN = C (ΔK − ΔK_th)^m above the threshold (Paris, Erdogan, J. Basic
    *   Eng. 85, 1963; with a threshold: Donahue et al., Int. J. Fract. Mech. 8,
@@ -50,6 +48,12 @@ namespace Crevasse
    *
    * Growth is nan if the history lacks data that the law needs. A closed crack
    * has K = 0, and a crack that is being closed C(t) = 0.
+   */
+  double
+  growth_over_period(const CrackTipParameters &law, const TipHistory &history);
+
+  /** Adds the growth_over_period() to the summary of a tip and to the log;
+   * nothing without a law.
    *
    * @param title of the line in the log. */
   void

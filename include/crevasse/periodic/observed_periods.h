@@ -26,7 +26,8 @@ namespace Crevasse
     unsigned int periods   = 0;
     bool         converged = false; ///< whether periodic, within tolerance
     /** Whether the last two periods had most of their instants in common. */
-    bool steps_repeat = true;
+    bool steps_repeat     = true;
+    bool has_all_missions = false; ///< whether none is left to compute
     /** ReturnDefect over the last period; 0 if it is ignored. */
     double return_defect = 0.;
     /** Estimated error of the last period that the tolerance is for. */
@@ -180,11 +181,11 @@ namespace Crevasse
     void
     report(const double error_estimate, const unsigned int mission = 0);
 
-    /** Lets no other period begin. */
+    /** Lets no other period begin: all missions are computed. */
     void
     end_search()
     {
-      has_ended = true;
+      so_far.has_all_missions = true;
     }
 
     /** Solves for the state at the end of the last period, which otherwise only
@@ -226,7 +227,7 @@ namespace Crevasse
     bool
     is_over() const
     {
-      return has_ended || so_far.converged ||
+      return so_far.has_all_missions || so_far.converged ||
              so_far.periods >= limits.maximum_periods;
     }
 
@@ -288,7 +289,6 @@ namespace Crevasse
     Vector r_before, u_before; ///< r and u at the beginning of the period
     Vector sum_of_steps, shown_strain; ///< increment(), r of a sample
     bool   sums_increments = false;
-    bool   has_ended       = false;
     bool   ignores_drift   = false;
     bool   lip_opens       = false; ///< whether the whole lip is open and opens
 

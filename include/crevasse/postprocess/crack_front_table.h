@@ -8,6 +8,7 @@
 #include <crevasse/base/log.h>
 #include <crevasse/base/text.h>
 #include <crevasse/postprocess/crack_front_analysis.h>
+#include <crevasse/postprocess/mission_table.h>
 
 #include <algorithm>
 
@@ -54,6 +55,26 @@ namespace Crevasse
       archive.common_list(values);
     }
 
+    /** Largest and smallest K_I of the last period along the front. */
+    std::vector<PeriodNumber>
+    period_numbers() const
+    {
+      return {{"K_I_largest", [this] { return range(0).second->intensity[0]; }},
+              {"K_I_smallest",
+               [this] { return range(0).first->intensity[0]; }}};
+    }
+
+    /** K_I at the vertices of the front at the last sample. */
+    std::vector<double>
+    latest() const
+    {
+      std::vector<double> all;
+      for (auto value = values.end() - n_vertices(); value != values.end();
+           ++value)
+        all.push_back(value->intensity[0]);
+      return all;
+    }
+
     /** Writes the table, adds "crack_front" to the summary and lines to the
      * log. */
     void
@@ -68,13 +89,8 @@ namespace Crevasse
       const auto names  = analysis.names();
       for (unsigned int m = 0; m < names.size(); ++m)
         {
-          const auto [smallest, largest] =
-            std::minmax_element(values.begin(),
-                                values.end(),
-                                [m](const auto &a, const auto &b) {
-                                  return a.intensity[m] < b.intensity[m];
-                                });
-          double error = 0.;
+          const auto [smallest, largest] = range(m);
+          double error                   = 0.;
           for (const auto &value : values)
             error = std::max(error, value.error[m]);
           const std::size_t at        = largest - values.begin();
@@ -92,10 +108,23 @@ namespace Crevasse
     }
 
   private:
+    using Values = std::vector<CrackFrontAnalysis::Estimate>;
+
     std::size_t
     n_vertices() const
     {
       return analysis.region.vertices.size();
+    }
+
+    /** Smallest and largest K of a mode in the last period. */
+    std::pair<Values::const_iterator, Values::const_iterator>
+    range(const unsigned int mode) const
+    {
+      return std::minmax_element(values.begin(),
+                                 values.end(),
+                                 [mode](const auto &a, const auto &b) {
+                                   return a.intensity[mode] < b.intensity[mode];
+                                 });
     }
 
     const FrontRegion::Vertex &
@@ -152,8 +181,8 @@ namespace Crevasse
     Log                      &log;
 
     // Times and values in the last period; vertices vary before steps.
-    std::vector<double>                       times;
-    std::vector<CrackFrontAnalysis::Estimate> values;
+    std::vector<double> times;
+    Values              values;
   };
 } // namespace Crevasse
 

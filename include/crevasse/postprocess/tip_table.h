@@ -8,6 +8,7 @@
 #include <crevasse/crack_tip/growth_direction.h>
 #include <crevasse/postprocess/crack_tip_analysis.h>
 #include <crevasse/postprocess/lip_closure.h>
+#include <crevasse/postprocess/mission_table.h>
 
 namespace Crevasse
 {
@@ -87,6 +88,24 @@ namespace Crevasse
       archive.common_list(of_last_period);
     }
 
+    /** K and growth of the last period. @param number of the tip, after the
+     * names; or none. */
+    std::vector<PeriodNumber>
+    period_numbers(const std::string &number) const
+    {
+      const auto K = [](const TipValues &v) { return v.intensity[0]; };
+      const CrackTipParameters &law = analysis.scene.crack_tip;
+      std::vector<PeriodNumber> all = {
+        {"K_I_largest" + number, [this, K] { return largest(K); }},
+        {"K_I_smallest" + number, [this, K] { return range(K).first; }}};
+      if (law.growth_law != GrowthLawType::none &&
+          law.creep_parameter != CreepParameter::C_of_t)
+        all.emplace_back("da_dN" + number, [this, &law] {
+          return growth_over_period(law, history());
+        });
+      return all;
+    }
+
     /** Intensities at the tip at the last observed sample. */
     const TipValues &
     latest() const
@@ -156,6 +175,10 @@ namespace Crevasse
         range([](const TipValues &v) { return v.intensity[1]; });
       return GrowthDirection(of_opening, right - left).intensity;
     }
+
+    /** What growth depends on in the last period, except C(t). */
+    TipHistory
+    history() const;
 
     /** Adds ΔK, K_op, ΔK_eff, C* and growth to the summary. */
     void

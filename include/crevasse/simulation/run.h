@@ -16,7 +16,6 @@
 #include <crevasse/postprocess/crack_tip_analysis.h>
 #include <crevasse/postprocess/load_factors.h>
 #include <crevasse/postprocess/probe.h>
-#include <crevasse/postprocess/tip_table.h>
 #include <crevasse/simulation/period_estimate.h>
 #include <crevasse/time/evolution.h>
 #include <crevasse/time/integrator_choice.h>
@@ -161,17 +160,6 @@ namespace Crevasse
     /** Creates the observers that write or print what the scene asks for. */
     void
     make_observers();
-    /** Creates the table of missions, or the quantity that ends the search.
-     *
-     * @param lip its totals at the last sample.
-     * @param tips their tables.
-     * @param table creates a table of a name and columns. */
-    void
-    make_goal(
-      const LipTotals                                                 &lip,
-      const std::vector<const TipTable *>                             &tips,
-      const std::function<CsvTable(const std::string &,
-                                   const std::vector<std::string> &)> &table);
 
     // Parts of search().
     void

@@ -124,10 +124,10 @@ namespace
     double       worst = 0.;
     for (unsigned int trial = 0; trial < 100; ++trial)
       {
-        const unsigned int n = 1 + trial % 30;
-        const RandomLip    lip(n, size, random);
-        const LipShift     shift(stiffness_of_lip(n), lip.weights);
-        FullMatrix<double> B(n, n);
+        const unsigned int         n = 1 + trial % 30;
+        const RandomLip            lip(n, size, random);
+        const LipShift             shift(stiffness_of_lip(n), lip.weights);
+        dealii::FullMatrix<double> B(n, n);
         for (unsigned int i = 0; i < n; ++i)
           for (unsigned int j = 0; j < n; ++j)
             B(i, j) = 1.4 * shift.compliance()(i, j);
