@@ -15,7 +15,7 @@ def test_order():
     for name, ratio in (("b", 1), ("c", 0.1), ("c", 10)):
         settings = case(name, ratio)
         reference = compute("finest", settings + steps(finest) + method(
-            "anderson", "heun", 1e-7, start="fourier"))
+            "averaged", "heun", 1e-7))
         check(reference.summary["converged"], "the reference has converged")
         errors = []
         for level in range(4):
