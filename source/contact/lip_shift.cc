@@ -291,8 +291,7 @@ namespace Crevasse
     const double small = accuracy * (position.l2_norm() + by_force.l2_norm());
     Response     response = respond(openings, c);
     left                  = residual(c, response);
-    unsigned int k        = 0;
-    for (; k < most && left.l2_norm() > small; ++k)
+    for (unsigned int k = 0; k < most && left.l2_norm() > small; ++k)
       {
         FullMatrix<double> slope(n, n);
         B.mmult(slope, response.slope);
@@ -317,7 +316,7 @@ namespace Crevasse
         c    = trial;
         left = trial_left;
       }
-    if (k == most)
+    if (!(left.l2_norm() <= small))
       ++unsolved;
     force = response.mean;
     return c;

@@ -210,7 +210,9 @@ namespace Crevasse
                                       0,
                                       communicator);
     collectively(communicator, [&]() { problem(on_last); });
-    icntl(26) = 2; // and backward
+    // The problem may have put its solution elsewhere.
+    data.redrhs = reinterpret_cast<decltype(data.redrhs)>(on_last.begin());
+    icntl(26)   = 2; // and backward
     call(data, 3);
     require("a back-solve");
   }

@@ -126,8 +126,12 @@ namespace Crevasse
                      method == PeriodicMethodType::automatic ||
                      method == PeriodicMethodType::averaged,
                    "Missions",
-                   "leaps by the averaged body: set Method = automatic or "
+                   "needs the averaged body: set Method = automatic or "
                    "averaged");
+    checker.demand(missions.empty() || secular_split != SecularSplitType::on,
+                   "Missions",
+                   "follow the motion from rest, with its flow: set Secular "
+                   "split = automatic or off");
   }
 
 

@@ -91,8 +91,28 @@ namespace Crevasse
       settings.contact_choice.type = ContactSolverType::condensed_active_set;
     if (body.material.stiffness_varies || (has_lip && !condenses))
       assemble(*state.stiffness, elastic);
-    const bool     flows = has_viscosity(body);
-    Viscosity<dim> viscosity(
+    if (n_poles > 0)
+      prepare_flow();
+    if (n_poles > 1)
+      {
+        AlgorithmicModuli<dim> moduli(state, 1. / b, n);
+        assemble(moduli.sum, pole);
+        pole.moduli = std::move(moduli.branches);
+      }
+    if (has_lip)
+      prepare_lip();
+  }
+
+
+
+  template <int dim>
+  void
+  AveragedBody<dim>::prepare_flow()
+  {
+    const MaterialState<dim> &state = averaged.state;
+    const std::size_t         n     = body.points.n_local_points;
+    const bool                flows = has_viscosity(body);
+    Viscosity<dim>            viscosity(
       body, flows && body.law.creep == nullptr ? state : with_flow(state, n));
     if (spring > 0.)
       flow.system = elastic.system;
@@ -110,14 +130,6 @@ namespace Crevasse
           }
         assemble(sum, rigid);
       }
-    if (n_poles > 1)
-      {
-        AlgorithmicModuli<dim> moduli(state, 1. / b, n);
-        assemble(moduli.sum, pole);
-        pole.moduli = std::move(moduli.branches);
-      }
-    if (has_lip)
-      prepare_lip();
   }
 
 
@@ -195,7 +207,7 @@ namespace Crevasse
   const typename AveragedBody<dim>::JumpPart &
   AveragedBody<dim>::part_of_jump(const unsigned int n)
   {
-    constexpr unsigned int most = 3; // factors in memory
+    constexpr unsigned int most = 4; // factors in memory
     for (const JumpPart &known : jumps)
       if (known.n == n)
         return known;

@@ -31,7 +31,7 @@ namespace Crevasse
         return "creep that hardens never returns to its state";
       if (traits(time.scheme).has(Trait::is_of_arkode))
         return std::string("Scheme = ") + traits(time.scheme).name +
-               " does not tell its stages";
+               " does not provide its stages";
       if (body.effects.contact.on && !traits(linear.type).has(Trait::is_direct))
         return std::string("[Linear solver] Type = ") +
                traits(linear.type).name +
@@ -195,6 +195,10 @@ namespace Crevasse
   {
     if (!body.effects.viscosity.on)
       {
+        if (!scene.periodic_state.missions.empty())
+          throw SceneError(
+            "[Periodic state] Missions: without viscosity all "
+            "periods are the same. Leave it empty.");
         PeriodicChoice one_period;
         one_period.why = "without viscosity one period is enough";
         return one_period;

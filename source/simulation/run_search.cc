@@ -64,9 +64,10 @@ namespace Crevasse
       const StressHistory::Place here = stresses.place();
       const unsigned int         point =
         here.entry / QuadratureField<dim>::n_components;
-      double relaxed = 0.; // over the period, of the slowest branch
-      for (unsigned int k = 0; k < steps.n_steps() && body.law.creep == nullptr;
-           ++k)
+      const bool is_known = here.entry != numbers::invalid_unsigned_int;
+      const bool relaxes  = is_known && body.law.creep == nullptr;
+      double     relaxed  = 0.; // over the period, of the slowest branch
+      for (unsigned int k = 0; relaxes && k < steps.n_steps(); ++k)
         {
           const MaterialState<dim> now = body.material.at(steps.instant(k));
           double least = std::numeric_limits<double>::infinity();
@@ -81,7 +82,7 @@ namespace Crevasse
       std::string text;
       for (const auto &cell : owned_cells(body.space.dof_handler))
         if (const std::size_t first = body.points.first_point(cell);
-            first <= point &&
+            is_known && first <= point &&
             point < first + body.space.quadrature(cell).size())
           {
             text = "at " + Text::from_point(cell->center()) + ", in material " +
@@ -186,13 +187,19 @@ namespace Crevasse
                         const UnilateralBounds &bounds)
   {
     const PeriodicStateParameters &parameters = scene.periodic_state;
-    AveragedPeriods<dim>           averaged(
-      periods, evolution, body, bounds, systems, parameters.averaged_poles);
+    AveragedPeriods<dim>           averaged(periods,
+                                  evolution,
+                                  body,
+                                  bounds,
+                                  systems,
+                                  parameters.missions.empty()
+                                              ? parameters.averaged_poles
+                                              : 0);
     constexpr double many = 1e4; // periods in the life of a component
     const double     slowest =
       magnitudes.relaxation_times.longest_in_mean / scene.loads.period;
     if (parameters.missions.empty() && slowest > many && std::isfinite(slowest))
-      log.line("  no component lives to see this state: some part relaxes in " +
+      log.line("  no component reaches this state: some part relaxes in " +
                Text::from_number(slowest, 2) +
                " periods. [Periodic state] Missions computes given periods");
     if (parameters.missions.empty())
@@ -265,7 +272,8 @@ namespace Crevasse
       }
     if (shows)
       choice.method = PeriodicMethodType::anderson;
-    if (choice.method != PeriodicMethodType::averaged || !choice.may_fall_back)
+    if (choice.method != PeriodicMethodType::averaged ||
+        !choice.may_fall_back || parameters.tolerance == 0.)
       return find_periodic_state(all, writer, before, last_period);
     if (!state.method_failed)
       {
@@ -303,15 +311,15 @@ namespace Crevasse
                                    times.mean_fluidity_factor,
                                    scene.loads.period,
                                    bounds};
-    ObservedPeriods<dim>     periods(evolution,
-                                 integrator.get(),
-                                 steps,
-                                 all,
-                                 writer,
-                                 {std::min(parameters.maximum_periods,
-                                           last_period),
-                                      parameters.tolerance,
-                                      quantity});
+    ObservedPeriods<dim>     periods(
+      evolution,
+      integrator.get(),
+      steps,
+      all,
+      writer,
+      {std::min(parameters.maximum_periods, last_period),
+       parameters.missions.empty() ? parameters.tolerance : 0.,
+           quantity});
     periods.continue_from(before, !state.has_begun());
     // Strain without stress matters to a march if a lip may touch.
     if (body.effects.viscosity.on &&

@@ -110,6 +110,22 @@ def test_ranks():
     two = run_on(2, BODY, "two", settings)
     check(one.summary["periods"] == two.summary["periods"], "periods")
     check_below(difference(one, two), 1e-9, "two ranks: difference")
+    # A lip that moves with the flow, by the other direct solver.
+    spring = ["Material/Viscosity=chain", "Material/Chain=0.5: 300; 0.3: 100"]
+    missions = relaxation(6) + ["Periodic state/Missions=40"]
+    bodies = [("spring", MESH + steps(20) + LOAD + spring + averaged(2, 1e-9)),
+              ("missions", MESH + steps(20) + LOAD + averaged() + missions),
+              ("long lip", ["Geometry/Subdivisions=300, 2", "Geometry/Height=0.2",
+                            "Output/Probes=mouth: 1, 0"]
+               + steps(20) + LOAD + averaged() + missions)]
+    for name, settings in tier(bodies[:2], bodies):
+        one = compute("one", settings)
+        mumps = compute("mumps", settings + ["Linear solver/Type=mumps"])
+        two = run_on(2, BODY, "two", COMMON + settings)
+        for how, other in (("mumps", mumps), ("two ranks", two)):
+            check_below(abs(one.summary["extremes"]["stress"]
+                            / other.summary["extremes"]["stress"] - 1), 1e-9,
+                        f"{name}, {how}: largest stress")
 
 
 def power_law(n, decades, varying=0.5, mean=-2, state="plane stress"):
@@ -296,7 +312,7 @@ def test_trapezoid():
 
 
 def test_fallback():
-    """Where averaged steps do not end, a march goes on, also after an interruption."""
+    """Where averaged steps do not end, a march goes on."""
     found = compute("fallback", MESH + steps(20) + LOAD + relaxation(1) + method(
         "automatic", "sdirk2", 1e-15, 44), status=3)
     text = (found.directory / "log.txt").read_text()
@@ -310,7 +326,7 @@ def test_refusals():
               "Material/Hardening exponent=2", "Material/Creep coefficient=1e-11"],
              "hardens"),
             (["Contact/Solver=active set", "Linear solver/Type=amg"], "cholesky"),
-            (["Time integration/Scheme=arkode implicit"], "does not tell its stages")):
+            (["Time integration/Scheme=arkode implicit"], "does not provide its stages")):
         code, _, error = execute(BODY, "--output", "results/refused", *overrides(
             COMMON + MESH + LOAD + averaged() + setting))
         check(code == 2 and reason in error, f"{reason}: {code}, {error}")

@@ -274,7 +274,7 @@ def test_drift():
         found = compute("found", settings + method("averaged", tolerance=tolerance)
                         + [f"Material/Young modulus={13000 * (1 + k * 1e-11)!r}"])
         check_below(found.summary["periods"], most, "periods with another rounding")
-    # From a start near the end; the last steps are in directions without stress.
+    # The last steps are in directions without stress.
     settings = COARSE + [
         traction("0; 10*cos(2*pi*t/600)*(x-0.9) - 0.1"),
         "Material/Relaxation time=if(x<0.5, 21.2906, 3097.09)",

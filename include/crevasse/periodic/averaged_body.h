@@ -47,7 +47,7 @@ namespace Crevasse
     /** Averages the material, assembles and factorises. All arguments but the
      * last one must outlive this object. Collective.
      *
-     * @param n_poles 1 or 2.
+     * @param n_poles 1 or 2; 0 for jumps alone.
      * @param bounds of the lip; with a lip the linear solver must be direct.
      * @param stresses see AveragedMaterial. */
     AveragedBody(const Body<dim>         &body,
@@ -134,6 +134,10 @@ namespace Crevasse
     /** Assembles a part's stiffness. */
     void
     assemble(const Matrices &stiffness, Part &part);
+
+    /** Assembles what finds β. */
+    void
+    prepare_flow();
 
     /** Prepares what belongs to the lip. */
     void

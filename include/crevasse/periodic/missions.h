@@ -74,19 +74,21 @@ namespace Crevasse
     void
     continue_from_start()
     {
-      constexpr unsigned int n_marched = 10, least = 4;
+      // Parts that relax within few periods follow a jump to a third; those
+      // that are marched after the last jump let them catch up.
+      constexpr unsigned int n_marched = 10, n_last = 2, least = 4;
       increment               = periods.increment();
       on_lip                  = (*averaged).take(averaged.lip);
       const unsigned int left = missions[next] - 1 - done;
-      if (done + 1 < n_marched || left < least)
+      if (done + 1 < n_marched || left < n_last + least)
         {
           start += increment;
           ++done;
           include_size();
           return;
         }
-      // Powers of two, whose factors serve again, or what is left.
-      k = wished >= left ? left / 2 : power_below(wished / 2.);
+      const unsigned int most = (left - n_last) / 2;
+      k = wished >= 2. * most ? most : round_number_below(wished / 2.);
       begin_pair();
     }
 
@@ -111,12 +113,12 @@ namespace Crevasse
                               k);
       Vector difference = end;
       difference -= whole;
-      const double error  = size_of(difference) / size;
+      const double error  = size > 0. ? size_of(difference) / size : 0.;
       const double factor = safety * std::sqrt(tolerance / error);
       wished              = 2. * k * std::clamp(factor, least, most);
       if (error > tolerance && k > 2)
         {
-          k = power_below(wished / 2.);
+          k = round_number_below(wished / 2.);
           begin_pair();
           return error;
         }
@@ -128,29 +130,40 @@ namespace Crevasse
       return error;
     }
 
+    /** Largest of 2, 3, 4, 6, 8, 12, … up to a number. The double of each, for
+     * the whole jump, is another one, whose factor serves again. */
     static unsigned int
-    power_below(const double number)
+    round_number_below(const double number)
     {
-      unsigned int power = 2;
-      while (2. * power <= number)
-        power *= 2;
-      return power;
+      unsigned int n = 2, next = 3;
+      while (next <= number)
+        n = std::exchange(next, 2 * n);
+      return n;
     }
 
     /** Norm of the stress that a strain causes where the lip is held. */
     double
     size_of(const Vector &strain)
     {
-      Vector bearing = strain, coordinates;
+      Vector bearing = strain;
       (*averaged).remove_compatible(bearing);
-      averaged.energy.from_strain(bearing, coordinates);
+      return norm(bearing);
+    }
+
+    double
+    norm(const Vector &strain)
+    {
+      Vector coordinates;
+      averaged.energy.from_strain(strain, coordinates);
       return coordinates.l2_norm();
     }
 
     void
     include_size()
     {
-      size = std::max(size, size_of(start));
+      // The stress of a strain that causes none is rounding.
+      constexpr double rounding = 1e-10;
+      size = std::max({size, size_of(start), rounding * norm(start)});
     }
 
     void

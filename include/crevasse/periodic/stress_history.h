@@ -55,11 +55,12 @@ namespace Crevasse
     }
 
     /** Largest change of stress of the last period on this rank, and the index
-     * of the local entry that changed so. */
+     * of the local entry that changed so; invalid if that was before a resume.
+     */
     struct Place
     {
       double       change = 0.;
-      unsigned int entry  = 0;
+      unsigned int entry  = dealii::numbers::invalid_unsigned_int;
     };
 
     const Place &

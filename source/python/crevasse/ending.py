@@ -52,6 +52,11 @@ def finished(run):
         if not run.summary.get("effects", {}).get("viscosity", {}).get("on", 1):
             return Ending("good", "Done: the body is elastic, one period is enough",
                           [])
+        quantity = run.parameter("Periodic state/Converged quantity") or "stress"
+        if quantity != "stress":
+            return Ending("good", f"Done: {quantity} is periodic after {periods}", [
+                f"Its estimated error is at most [Periodic state] Tolerance = "
+                f"{tolerance} of its largest value."])
         return Ending("good", f"Done: the stress is periodic after {periods}", [
             f"Its estimated error is {significant(error, 3)} of the largest stress "
             f"component ([Periodic state] Tolerance = {tolerance})."])
@@ -63,6 +68,11 @@ def finished(run):
                 f"In the last period it changed by {significant(change, 3)} of the "
                 "largest component; its distance from the periodic stress is "
                 "unknown.")
+    missions = run.parameter("Periodic state/Missions")
+    if missions:
+        return Ending("good", f"Done: missions {missions} are computed", [
+            f"They took {periods}; missions.csv has a row for each. The other "
+            "tables end with the last mission."])
     if number(tolerance) == 0:
         return Ending("plain", f"Done: {periods} computed, as requested", [
             "With [Periodic state] Tolerance = 0 the run does not check whether the "
