@@ -16,8 +16,8 @@ from study import ROOT, study_options  # first: finds the package
 
 from crevasse.plotting import BLUE, GREY, VERMILION, pyplot, save
 
-DECADES = (0, 3, 6, 9, 12)
-MOST = {"march": 300, "anderson": 100, "averaged": 40}
+DECADES = (0, 0.5, 1, 2, 3, 6, 9, 12)
+MOST = {"march": 300, "anderson": 300, "averaged": 40}
 COLOURS = {"march": GREY, "anderson": BLUE, "averaged": VERMILION}
 MISSIONS = (1, 3, 10, 30, 100, 300, 1000, 10000, 100000)
 MARCH = 300
@@ -53,7 +53,8 @@ def stresses(results):
 
 
 def plate(decades, varying):
-    place = f"(1 - x^2*({1 - varying} + {varying}*0.5*(1 - cos(2*pi*t/600))))"
+    cycle = f"({1 - varying} + {varying}*0.5*(1 - cos(2*pi*t/600)))" if varying else "1"
+    place = f"(1 - x^2*{cycle})"
     return ["Geometry/Subdivisions=8, 5", "Time integration/Scheme=sdirk2",
             "Time integration/Steps per period=24", "Output/Fields=none",
             "Output/Probes=a: 0.9, 0.1; b: 0.5, 0.5; c: 0.1, 0.3",
@@ -82,9 +83,17 @@ def draw_decades(options):
     figure, axes = pyplot.subplots(figsize=(5.6, 3.4), constrained_layout=True)
     for method, colour in COLOURS.items():
         for varying, line in ((0, "-"), (0.5, "--")):
-            numbers = [periods(options, method, d, varying) for d in DECADES]
+            numbers = numpy.array([periods(options, method, d, varying)
+                                   for d in DECADES])
+            if method == "anderson" and varying:
+                continue  # refused
+            print(method, varying, numbers)
             axes.semilogy(DECADES, numbers, line, color=colour, marker="o", markersize=4,
                           label=method if varying == 0 else None)
+            reached = numpy.isfinite(numbers).nonzero()[0].max()
+            axes.semilogy(DECADES[reached:reached + 2],
+                          [numbers[reached], MOST["march"]][:len(DECADES) - reached],
+                          line, color=colour)
     axes.axhline(MOST["march"], color=GREY, linewidth=0.6)
     axes.set(xlabel="decades of relaxation times", ylabel="periods to 1e-6",
              ylim=(1, 400))
@@ -104,8 +113,8 @@ def draw_missions(options):
     found, marched = table(leaps / "missions.csv"), table(march / "probe_mouth.csv")
     opening = marched["opening"][:-1].reshape(MARCH, -1).max(axis=1)
     figure, axes = pyplot.subplots(figsize=(5.6, 3.), constrained_layout=True)
-    axes.semilogx(numpy.arange(1, MARCH + 1), 1e3 * opening, color=GREY, label="march")
-    axes.semilogx(found["mission"], 1e3 * found["opening_largest"], "o",
+    axes.loglog(numpy.arange(1, MARCH + 1), 1e3 * opening, color=GREY, label="march")
+    axes.loglog(found["mission"], 1e3 * found["opening_largest"], "o",
                   color=VERMILION, markersize=4, label="missions")
     axes.set(xlabel="mission", ylabel="largest opening, µm")
     axes.grid(True, which="major", alpha=0.25, linewidth=0.6)
