@@ -89,9 +89,10 @@ namespace Crevasse
   {
     const bool ends = is_over();
     // The start of the first period on another mesh cannot be reproduced, nor
-    // can iterative solutions, which start from earlier ones.
-    if (ends && has_memory() && evolution.repeats_exactly() &&
-        integrator->properties.repeats_steps &&
+    // can iterative solutions, which start from earlier ones, nor, to the last
+    // digit, periods that do not begin where the one before ended.
+    if (ends && has_memory() && !sums_increments &&
+        evolution.repeats_exactly() && integrator->properties.repeats_steps &&
         std::isfinite(so_far.stress_change.back()))
       replay_from = r_before;
     if (has_memory())
@@ -192,18 +193,10 @@ namespace Crevasse
   ObservedPeriods<dim>::replay()
   {
     const std::size_t solves = n_solves();
-    Vector            r, start;
+    Vector            r;
     r.swap(replay_from);
-    if (sums_increments)
-      {
-        start.swap(r);
-        r.reinit(start);
-        evolution.count_from(&start);
-      }
     for (unsigned int k = 0; k < steps.n_steps(); ++k)
       advance_step(k, r, false);
-    if (sums_increments)
-      evolution.count_from(&r_before);
     history.take_change();
     solves_before += n_solves() - solves;
     timer.restart();

@@ -52,7 +52,8 @@ namespace Crevasse
       // the output, of which one is being written: patches and text.
       constexpr double collected = 2.4;
       if (!traits(run.solvers.linear.type).has(Trait::is_direct) ||
-          scene.material.creep_law() != nullptr)
+          scene.material.creep_law() != nullptr ||
+          choice.method == PeriodicMethodType::averaged)
         values += collected * n_steps * stress;
       if (body.effects.field_output.on)
         values +=

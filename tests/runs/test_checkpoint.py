@@ -343,7 +343,7 @@ def test_ends():
     tolerance = "Periodic state/Tolerance={}".format
     stages = ["Refinement/Readapt every=3"]
     ends = [(case, [every(n)], last, last + 2, []) for case, numbers in tier(
-                {"march": (1, 2), "anderson": (2,)},
+                {"march": (1, 2), "anderson": (2,), "averaged": (1,)},
                 {case: (1, 2, 3) for case in CASES if case not in (
                     "harmonic balance", "readapted")}).items()
             for n in numbers for last in tier((2,), (1, 2, 3))]
