@@ -55,6 +55,21 @@ namespace Crevasse
 
 
 
+  Point<3>
+  project_to_arc(const Point<3> &begin,
+                 const Point<3> &end,
+                 const Point<3> &middle,
+                 const Point<3> &point)
+  {
+    const auto centre = centre_of_arc<3>(begin, end, middle);
+    if (!centre)
+      return point;
+    const Tensor<1, 3> arm = point - *centre;
+    return *centre + begin.distance(*centre) / arm.norm() * arm;
+  }
+
+
+
   template <int dim>
   void
   set_curved_edges(const EdgeMiddles<dim> &middles, Triangulation<dim> &mesh)

@@ -126,17 +126,23 @@ namespace Crevasse
 
 
     /** Checks that no cell folds over. deal.II could check this while it
-     * creates a triangulation, but not for triangles or curved edges. */
+     * creates a triangulation, but not for triangles or curved edges.
+     * @return the quality of the cells, as text. */
     template <int dim>
-    void
+    std::string
     require_convex_cells(const Triangulation<dim> &mesh,
                          const std::string        &where)
     {
       if (!mesh.all_reference_cells_are_hyper_cube())
-        throw SceneError(where + only_hypercubes(dim));
+        throw SceneError(
+          where + "in this format only " +
+          (dim == 2 ? "quadrilaterals" : "hexahedra") +
+          " are allowed; the program divides other cells of a Gmsh file.");
       // Check corners; with curved edges, also middles of edges and interior.
       const unsigned int    most = has_curved_edges(mesh) ? 2 : 1;
       const FE_Nothing<dim> no_unknowns;
+      double                worst = 1.;
+      Point<dim>            place;
       for (unsigned int degree = 1; degree <= most; ++degree)
         {
           const MappingQ<dim> mapping(degree);
@@ -148,16 +154,30 @@ namespace Crevasse
             {
               values.reinit(cell);
               for (const auto &jacobian : values.get_jacobians())
-                if (!(jacobian.determinant() >
-                      1e-9 * std::pow(cell->diameter(), dim)))
-                  throw SceneError(where + "the cell around " +
-                                   Text::from_point<dim>(cell->center()) +
-                                   " has an angle of 180 degrees or more" +
-                                   (degree == 2 ? ", or folds over" : "") +
-                                   "; every cell must be convex" +
-                                   (dim == 2 ? ", in the plane x-y." : "."));
+                {
+                  const double determinant = jacobian.determinant();
+                  if (!(determinant > 1e-9 * std::pow(cell->diameter(), dim)))
+                    throw SceneError(where + "the cell around " +
+                                     Text::from_point<dim>(cell->center()) +
+                                     " has an angle of 180 degrees or more" +
+                                     (degree == 2 ? ", or folds over" : "") +
+                                     "; every cell must be convex" +
+                                     (dim == 2 ? ", in the plane x-y." : "."));
+                  double edges = 1.;
+                  for (unsigned int d = 0; d < dim; ++d)
+                    edges *= jacobian.transpose()[d].norm();
+                  if (determinant < worst * edges)
+                    {
+                      worst = determinant / edges;
+                      place = cell->center();
+                    }
+                }
             }
         }
+      return Text::format("smallest scaled Jacobian %.2f (1: right angles)",
+                          worst) +
+             (worst < 1. ? ", in the cell around " + Text::from_point(place)
+                         : "");
     }
 
 
@@ -170,12 +190,13 @@ namespace Crevasse
       std::vector<CellData<dim>>     cells;
       std::vector<CellData<dim - 1>> boundary;
       EdgeMiddles<dim>               middles;
+      std::vector<std::string>       remarks;
 
       template <typename Archive>
       void
       serialize(Archive &archive, const unsigned int)
       {
-        archive &vertices &cells &boundary &middles;
+        archive &vertices &cells &boundary &middles &remarks;
       }
     };
 
@@ -202,10 +223,9 @@ namespace Crevasse
 
     template <int dim>
     CoarseMesh<dim>
-    read_gmsh(const std::string            &file_name,
-              const std::set<unsigned int> &cracks)
+    read_gmsh(const std::string &file_name, const NamedGroups &named)
     {
-      const GmshMesh mesh     = read_gmsh_file(file_name, dim, cracks);
+      const GmshMesh mesh     = read_gmsh_file(file_name, dim, named);
       const auto     point_of = [&](const std::size_t number) {
         Point<dim> point;
         for (unsigned int d = 0; d < dim; ++d)
@@ -228,6 +248,7 @@ namespace Crevasse
       for (const auto &[ends, middle] : mesh.middles)
         coarse.middles[{vertex_of.at(ends.first), vertex_of.at(ends.second)}] =
           point_of(middle);
+      coarse.remarks = mesh.remarks;
       return coarse;
     }
 
@@ -252,24 +273,25 @@ namespace Crevasse
 
 
     /** Reads a mesh file into a serial triangulation: a distributed one does
-     * not survive triangles. Collective; one rank reads a Gmsh file for all. */
+     * not survive triangles. Collective; one rank reads a Gmsh file for all.
+     * @return remarks for the log. */
     template <int dim>
-    void
-    read_mesh(const std::string            &file_name,
-              const std::set<unsigned int> &cracks,
-              const MPI_Comm                communicator,
-              Triangulation<dim>           &triangulation)
+    std::vector<std::string>
+    read_mesh(const std::string  &file_name,
+              const NamedGroups  &named,
+              const MPI_Comm      communicator,
+              Triangulation<dim> &triangulation)
     {
       const std::string where   = "[Geometry] Mesh file = " + file_name + ": ";
       const bool        is_gmsh = Text::suffix(file_name) == ".msh";
       const bool        is_reader =
         Utilities::MPI::this_mpi_process(communicator) == 0;
+      CoarseMesh<dim> mesh;
       try
         {
-          CoarseMesh<dim> mesh;
           collectively(communicator, [&]() {
             if (is_gmsh && is_reader)
-              mesh = read_gmsh<dim>(file_name, cracks);
+              mesh = read_gmsh<dim>(file_name, named);
             else if (!is_gmsh)
               try
                 {
@@ -283,21 +305,22 @@ namespace Crevasse
                     "for example with meshio.");
                 }
           });
+          mesh = Utilities::MPI::broadcast(communicator, mesh);
           if (is_gmsh)
-            create(Utilities::MPI::broadcast(communicator, mesh),
-                   triangulation);
+            create(mesh, triangulation);
         }
       catch (const std::exception &error)
         {
           throw SceneError(
             where + "cannot be read as a mesh: " + reason(error) +
             "\nAllowed: " +
-            (dim == 2 ? "quadrilaterals in the plane x-y" : "hexahedra") +
+            (dim == 2 ? "triangles and quadrilaterals in the plane x-y"
+                      : "tetrahedra, wedges and hexahedra") +
             ", in a Gmsh file (.msh, format 2 or 4) of first or second order, "
-            "or linear ones in another format that deal.II recognises by the "
-            "file name extension.");
+            "or in a file that \"crevasse mesh\" converts.");
         }
-      require_convex_cells(triangulation, where);
+      mesh.remarks.push_back(require_convex_cells(triangulation, where));
+      return mesh.remarks;
     }
 
 
@@ -320,20 +343,22 @@ namespace Crevasse
   make_mesh(const GeometryParameters                      &parameters,
             Triangulation<dim>                            &mesh,
             const std::function<void(const CellCounts &)> &on_cell_count,
-            const std::set<unsigned int>                  &cracks)
+            const NamedGroups                             &named)
   {
-    const bool         is_file = parameters.shape == Shape::mesh_file;
-    Triangulation<dim> from_file;
+    const bool               is_file = parameters.shape == Shape::mesh_file;
+    Triangulation<dim>       from_file;
+    std::vector<std::string> remarks;
     if (is_file)
-      read_mesh(parameters.mesh_file,
-                cracks,
-                mesh.get_communicator(),
-                from_file);
+      remarks = read_mesh(parameters.mesh_file,
+                          named,
+                          mesh.get_communicator(),
+                          from_file);
     if (on_cell_count)
       {
         const double n = is_file ? from_file.n_active_cells()
                                  : n_cells_of_plate<dim>(parameters);
-        on_cell_count({n, n * std::pow(2., dim * parameters.refinements)});
+        on_cell_count(
+          {n, n * std::pow(2., dim * parameters.refinements), remarks});
       }
     if (is_file)
       mesh.copy_triangulation(from_file);

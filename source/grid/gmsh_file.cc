@@ -4,7 +4,9 @@
 #include <crevasse/base/problems.h>
 #include <crevasse/base/text.h>
 #include <crevasse/grid/cut_cracks.h>
+#include <crevasse/grid/gmsh_elements.h>
 #include <crevasse/grid/gmsh_file.h>
+#include <crevasse/grid/split_cells.h>
 
 #include <algorithm>
 #include <csignal>
@@ -18,43 +20,6 @@ namespace Crevasse
 {
   namespace
   {
-    /** Reads the middle nodes of the edges of an element of second order. If
-     * several nodes have the same position, as where lips with separate nodes
-     * meet at a front, one of them is stored: only its position matters. */
-    void
-    read_middles(const MeshElement              &element,
-                 const std::vector<std::size_t> &all_nodes,
-                 GmshMesh                       &mesh)
-    {
-      // Vertices of each edge, in Gmsh's order of the middle nodes.
-      const std::size_t n    = element.nodes.size();
-      const std::string ends = n == 2   ? "01"
-                               : n == 4 ? "01122330"
-                                        : "010304121523263745475667";
-      for (std::size_t e = 0; 2 * e < ends.size(); ++e)
-        {
-          const std::size_t middle = all_nodes[n + e];
-          const EdgeNodes   edge =
-            std::minmax(element.nodes[ends[2 * e] - '0'],
-                        element.nodes[ends[2 * e + 1] - '0']);
-          const auto &place = mesh.nodes.at(middle);
-          const auto &other =
-            mesh.nodes.at(mesh.middles.emplace(edge, middle).first->second);
-          const double length =
-            mesh.nodes.at(edge.first).distance(mesh.nodes.at(edge.second));
-          if (place.distance(other) > 1e-6 * length)
-            throw SceneError("element " + std::to_string(element.number) +
-                             ": between the nodes " +
-                             std::to_string(edge.first) + " and " +
-                             std::to_string(edge.second) +
-                             " another element has a different node, at " +
-                             Text::from_point(other) + " instead of " +
-                             Text::from_point(place));
-        }
-    }
-
-
-
     /** Initialises and finalises Gmsh: silent, without the user's options. */
     class GmshSession
     {
@@ -120,125 +85,23 @@ namespace Crevasse
 
 
 
-    /** Name of an entity of Gmsh in messages. */
-    std::string
-    name_of(const std::pair<int, int> &entity)
+    /** Groups by their role. */
+    std::vector<std::set<unsigned int>>
+    uses_of(const BoundaryRoles &roles)
     {
-      return (entity.first == 1   ? "curve "
-              : entity.first == 2 ? "surface "
-                                  : "volume ") +
-             std::to_string(entity.second);
-    }
-
-
-
-    /** Physical group of an entity; 0 if it is in none. */
-    unsigned int
-    group_of(const std::pair<int, int> &entity)
-    {
-      std::vector<int> groups;
-      gmsh::model::getPhysicalGroupsForEntity(entity.first,
-                                              entity.second,
-                                              groups);
-      const std::string what = name_of(entity);
-      if (groups.size() > 1)
-        throw SceneError(what + " belongs to the physical groups " +
-                         std::to_string(groups[0]) + " and " +
-                         std::to_string(groups[1]) +
-                         "; it must belong to at most one");
-      if (!groups.empty() && groups[0] < 0)
-        throw SceneError(what + " belongs to the physical group " +
-                         std::to_string(groups[0]) +
-                         "; groups must be numbered from 0");
-      return groups.empty() ? 0 : groups[0];
-    }
-
-
-
-    /** Number of vertices of the element type of an entity.
-     * @throw SceneError if the type is not allowed in this dimension. */
-    int
-    require_allowed(const std::vector<int> &types,
-                    const int               element_dim,
-                    const unsigned int      dim)
-    {
-      int n_vertices = 0;
-      for (const int type : types)
-        {
-          std::string         name;
-          int                 its_dim, order, n_nodes;
-          std::vector<double> coordinates;
-          gmsh::model::mesh::getElementProperties(
-            type, name, its_dim, order, n_nodes, coordinates, n_vertices);
-          if (n_vertices != 1 << element_dim)
-            throw SceneError(only_hypercubes(dim));
-          if (order > 2 || element_dim > int(dim))
-            throw SceneError(
-              "the element type " + std::to_string(type) + " (" + name +
-              ") is not allowed with Dimension = " + std::to_string(dim) +
-              "; allowed are points, lines, quadrilaterals" +
-              (dim == 3 ? ", hexahedra" : "") +
-              " of one order (Gmsh: Mesh.ElementOrder = 1 or 2)");
-        }
-      return n_vertices;
-    }
-
-
-
-    /** Reads all elements of a dimension with their vertices.
-     * @param mesh Has the nodes, and gets the middles of edges.
-     * @throw SceneError if there are elements other than lines, quadrilaterals
-     * or hexahedra of first or second order. */
-    std::vector<MeshElement>
-    read_elements(const int element_dim, const unsigned int dim, GmshMesh &mesh)
-    {
-      std::vector<MeshElement>         all;
-      std::vector<std::pair<int, int>> entities;
-      gmsh::model::getEntities(entities, element_dim);
-      for (const auto &entity : entities)
-        {
-          std::vector<int>                      types;
-          std::vector<std::vector<std::size_t>> numbers, nodes;
-          gmsh::model::mesh::getElements(
-            types, numbers, nodes, entity.first, entity.second);
-          if (types.empty())
-            continue;
-          const int n_vertices = require_allowed(types, element_dim, dim);
-          // With mixed orders Gmsh returns one of them, but counts all.
-          std::vector<std::size_t> all_numbers, no_nodes;
-          gmsh::model::mesh::preallocateElementsByType(
-            types[0], true, false, all_numbers, no_nodes, entity.second);
-          if (all_numbers.size() > numbers[0].size())
-            throw SceneError(name_of(entity) +
-                             " has elements of first and of second order; all "
-                             "must have one (Gmsh: Mesh.ElementOrder = 1 or "
-                             "2)");
-          const unsigned int group = group_of(entity);
-          const std::size_t  n     = nodes[0].size() / numbers[0].size();
-          for (std::size_t i = 0; i < numbers[0].size(); ++i)
-            {
-              const auto begin = nodes[0].begin() + i * n;
-              all.push_back(
-                {numbers[0][i], group, {begin, begin + n_vertices}});
-              if (std::set<std::size_t>(begin, begin + n).size() < n)
-                throw SceneError("element " + std::to_string(numbers[0][i]) +
-                                 ": a node occurs twice");
-              if (n > all.back().nodes.size())
-                read_middles(all.back(), {begin, begin + n}, mesh);
-            }
-        }
-      std::stable_sort(all.begin(),
-                       all.end(),
-                       [](const MeshElement &a, const MeshElement &b) {
-                         return a.number < b.number;
-                       });
-      return all;
+      return {roles.clamped,
+              roles.symmetry,
+              roles.loaded,
+              roles.contact,
+              roles.crack};
     }
 
 
 
     GmshMesh
-    read(const std::string &file_name, const unsigned int dim)
+    read(const std::string &file_name,
+         const unsigned int dim,
+         const NamedGroups &named)
     {
       const GmshSession session;
       gmsh::open(file_name);
@@ -252,9 +115,13 @@ namespace Crevasse
                                   coordinates[3 * i + 1],
                                   coordinates[3 * i + 2]};
       if (dim == 2)
-        read_elements(3, dim, mesh); // reports volume elements
-      mesh.cells    = read_elements(dim, dim, mesh);
-      mesh.boundary = read_elements(dim - 1, dim, mesh);
+        read_gmsh_elements(3, dim, {}, mesh); // reports volume elements
+      std::vector<std::set<unsigned int>> materials;
+      for (const unsigned int material : named.materials)
+        materials.push_back({material});
+      mesh.cells = read_gmsh_elements(dim, dim, materials, mesh);
+      mesh.boundary =
+        read_gmsh_elements(dim - 1, dim, uses_of(named.roles), mesh);
       return mesh;
     }
 
@@ -275,7 +142,7 @@ namespace Crevasse
           dup2(open("/dev/null", O_WRONLY), STDERR_FILENO);
           try
             {
-              read(file_name, dim);
+              read(file_name, dim, {});
             }
           catch (...) // the parent reports it
             {
@@ -293,29 +160,17 @@ namespace Crevasse
 
 
 
-  std::string
-  only_hypercubes(const unsigned int dim)
-  {
-    return Text::format(
-      "the mesh has %s are allowed (Gmsh: Mesh.SubdivisionAlgorithm = %u).",
-      dim == 2 ? "triangles; only quadrilaterals"
-               : "tetrahedra or other cells; only hexahedra",
-      dim - 1);
-  }
-
-
-
   GmshMesh
-  read_gmsh_file(const std::string            &file_name,
-                 const unsigned int            dim,
-                 const std::set<unsigned int> &cracks)
+  read_gmsh_file(const std::string &file_name,
+                 const unsigned int dim,
+                 const NamedGroups &named)
   {
     check_head_and_counts(file_name);
     require_that_gmsh_survives(file_name, dim);
     GmshMesh mesh;
     try
       {
-        mesh = read(file_name, dim);
+        mesh = read(file_name, dim, named);
       }
     catch (const std::string &message) // Gmsh throws strings
       {
@@ -329,15 +184,21 @@ namespace Crevasse
     if (mesh.cells.empty())
       throw SceneError(
         std::string("there are no ") +
-        (dim == 2 ? "quadrilaterals" : "hexahedra") +
+        (dim == 2 ? "triangles or quadrilaterals"
+                  : "tetrahedra, wedges or hexahedra") +
         ", which are the cells with Dimension = " + std::to_string(dim) +
         (mesh.boundary.empty()
            ? ""
            : std::string(". Gmsh saves only physical groups if there are any: "
                          "put the body into one too, as by Physical ") +
                (dim == 2 ? "Surface" : "Volume") + "(\"body\", 1) = {1}"));
-    cut_cracks(cracks, mesh);
-    check_faces(mesh.cells, mesh.boundary);
+    if (const std::string divided = split_cells(dim, mesh); !divided.empty())
+      mesh.remarks.push_back(divided);
+    cut_cracks(named.roles.crack, mesh);
+    std::set<unsigned int> with_role;
+    for (const std::set<unsigned int> &groups : uses_of(named.roles))
+      with_role.insert(groups.begin(), groups.end());
+    check_faces(mesh.cells, with_role, mesh.boundary);
     return mesh;
   }
 } // namespace Crevasse

@@ -82,8 +82,13 @@ namespace Crevasse
 
 
 
-    void
-    check_boundary(const Face &face, const std::vector<Face> &of_cells)
+    /** Whether a boundary element is on the surface of the body.
+     * @param must_be Whether its group has a role, so that it must be.
+     * @throw SceneError if it is not, but must be. */
+    bool
+    is_on_surface(const Face              &face,
+                  const std::vector<Face> &of_cells,
+                  const bool               must_be)
     {
       const auto [begin, end] =
         std::equal_range(of_cells.begin(),
@@ -92,17 +97,19 @@ namespace Crevasse
                          [](const Face &a, const Face &b) {
                            return a.nodes < b.nodes;
                          });
-      if (begin == end || begin->opposite != face.opposite)
+      const bool is_face = begin != end && begin->opposite == face.opposite;
+      if (must_be && !is_face)
         throw_error(
           face, "are no face of a cell; only faces of cells can be boundary");
-      if (end - begin > 1)
+      if (must_be && end - begin > 1)
         throw_error(face,
                     "are a face within the body, between the elements " +
                       std::to_string(begin->element) + " and " +
                       std::to_string((begin + 1)->element) +
-                      "; only its surface can be boundary (Gmsh: physical "
-                      "groups of the surface alone, Mesh.SaveAll = 0), and a "
-                      "crack that [Boundary] Crack names");
+                      ", and its group " + std::to_string(face.group) +
+                      " has a role; only the surface of the body can have one, "
+                      "and a crack that [Boundary] Crack names");
+      return is_face && end - begin == 1;
     }
   } // namespace
 
@@ -132,28 +139,22 @@ namespace Crevasse
 
   void
   check_faces(const std::vector<MeshElement> &cells,
-              const std::vector<MeshElement> &boundary)
+              const std::set<unsigned int>   &groups,
+              std::vector<MeshElement>       &boundary)
   {
-    std::vector<Face> of_cells, of_boundary;
+    std::vector<Face> of_cells;
     for (const MeshElement &cell : cells)
       for (const auto &nodes : nodes_of_faces(cell))
         of_cells.push_back(make_face(nodes, cell));
     std::sort(of_cells.begin(), of_cells.end(), is_before);
     check_cells(of_cells);
 
-    for (const MeshElement &element : boundary)
-      {
-        of_boundary.push_back(make_face(element.nodes, element));
-        check_boundary(of_boundary.back(), of_cells);
-      }
-    std::sort(of_boundary.begin(), of_boundary.end(), is_before);
-    for (std::size_t i = 1; i < of_boundary.size(); ++i)
-      if (const Face &before = of_boundary[i - 1], &face = of_boundary[i];
-          face.nodes == before.nodes && face.group != before.group)
-        throw_error(face,
-                    "have the boundary id " + std::to_string(face.group) +
-                      ", but in element " + std::to_string(before.element) +
-                      " the id " + std::to_string(before.group) +
-                      "; each belongs to at most one physical group");
+    const auto is_inner = [&](const MeshElement &element) {
+      return !is_on_surface(make_face(element.nodes, element),
+                            of_cells,
+                            groups.count(element.group) > 0);
+    };
+    boundary.erase(std::remove_if(boundary.begin(), boundary.end(), is_inner),
+                   boundary.end());
   }
 } // namespace Crevasse

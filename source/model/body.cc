@@ -177,17 +177,20 @@ namespace Crevasse
 
   template <int dim>
   std::shared_ptr<Mesh<dim>>
-  make_scene_mesh(const Scene &scene, const MPI_Comm communicator)
+  make_scene_mesh(const Scene &scene, const MPI_Comm communicator, Log *log)
   {
-    const auto unrefined = [&scene, communicator]() {
+    const auto unrefined = [&scene, communicator, &log]() {
       auto mesh = std::make_shared<Mesh<dim>>(communicator);
-      make_mesh<dim>(
-        scene.geometry,
-        *mesh,
-        [&](const CellCounts &cells) {
-          require_room<dim>(scene, cells, communicator);
-        },
-        boundary_roles(scene).crack);
+      make_mesh<dim>(scene.geometry,
+                     *mesh,
+                     [&](const CellCounts &cells) {
+                       require_room<dim>(scene, cells, communicator);
+                       for (const std::string &remark : cells.remarks)
+                         if (log != nullptr)
+                           log->line("  mesh file: " + remark);
+                       log = nullptr; // several meshes may be made
+                     },
+                     {boundary_roles(scene), compared_materials(scene)});
       // The centre of a face between arcs would have to lie on its surface.
       if (dim == 3 && has_curved_edges(*mesh) &&
           (scene.geometry.refinements > 0 ||

@@ -62,7 +62,33 @@ namespace Crevasse
         ids.insert(std::stoul((*part)[(*part)[1].matched ? 1 : 2]));
       return ids;
     }
+
+
+
+    std::vector<Expression>
+    formulas_of(const MaterialParameters &material)
+    {
+      std::vector<Expression> formulas = stiffness_formulas(material);
+      for (const Expression &formula : viscosity_formulas(material))
+        formulas.push_back(formula);
+      for (const auto &strain : material.free_strains())
+        formulas.insert(formulas.end(),
+                        strain.components->begin(),
+                        strain.components->end());
+      return formulas;
+    }
   } // namespace
+
+
+
+  std::set<unsigned int>
+  compared_materials(const Scene &scene)
+  {
+    std::set<unsigned int> all;
+    for (const Expression &formula : formulas_of(scene.material))
+      all.merge(compared_ids(formula.formula()));
+    return all;
+  }
 
 
 
@@ -70,18 +96,10 @@ namespace Crevasse
   void
   require_materials(const Scene &scene, const Mesh<dim> &mesh)
   {
-    std::vector<Expression> formulas = stiffness_formulas(scene.material);
-    for (const Expression &formula : viscosity_formulas(scene.material))
-      formulas.push_back(formula);
-    for (const auto &strain : scene.material.free_strains())
-      formulas.insert(formulas.end(),
-                      strain.components->begin(),
-                      strain.components->end());
-
     const Ids existing = material_ids(mesh);
     // Missing ids by parameter and formula, without repetition.
     std::map<std::string, std::set<unsigned int>> missing;
-    for (const Expression &formula : formulas)
+    for (const Expression &formula : formulas_of(scene.material))
       for (const unsigned int id : compared_ids(formula.formula()))
         if (existing.count(id) == 0)
           missing[formula.parameter() + " = " +

@@ -59,8 +59,9 @@ namespace Crevasse
     prm.add_parameter(
       "Mesh file",
       mesh_file,
-      "Mesh of quadrilaterals (in three dimensions: of hexahedra) with "
-      "boundary ids, for Shape = mesh file. The program looks for the file "
+      "Mesh of triangles and quadrilaterals (in three dimensions: of "
+      "tetrahedra, wedges and hexahedra) with boundary ids, for Shape = mesh "
+      "file. The program looks for the file "
       "next to the scene file, then in the working directory. Second-order "
       "elements of a Gmsh file (Mesh.ElementOrder = 2) have circular arcs as "
       "edges: with Degree = 2 cells are curved, in the plane also after "

@@ -130,7 +130,7 @@ namespace Crevasse
         current->load(checkpoints.resumed_mesh());
         return;
       }
-    current = make_scene_mesh<dim>(scene, communicator);
+    current = make_scene_mesh<dim>(scene, communicator, &log);
     const RefinementParameters &refinement = scene.refinement;
     const auto n = count_unknowns(*current, scene.discretisation.degree);
     if (refinement.target_unknowns > 0 && n > refinement.target_unknowns)

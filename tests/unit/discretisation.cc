@@ -16,6 +16,8 @@ void
 rigid_motions();
 void
 singular_functions();
+void
+split_cells();
 
 int
 main(int argc, char **argv)
@@ -26,5 +28,6 @@ main(int argc, char **argv)
                     {"operators", operators},
                     {"patch_test", patch_test},
                     {"rigid_motions", rigid_motions},
-                    {"singular_functions", singular_functions}});
+                    {"singular_functions", singular_functions},
+                    {"split_cells", split_cells}});
 }

@@ -29,6 +29,14 @@ namespace Crevasse
   set_curved_edges(const EdgeMiddles<dim>     &middles,
                    dealii::Triangulation<dim> &mesh);
 
+  /** Projects a point to the circle through three points, unless they lie on a
+   * straight line. @throw SceneError as set_curved_edges() does. */
+  dealii::Point<3>
+  project_to_arc(const dealii::Point<3> &begin,
+                 const dealii::Point<3> &end,
+                 const dealii::Point<3> &middle,
+                 const dealii::Point<3> &point);
+
   /** Whether a mesh has curved edges. The same on all ranks. */
   template <int dim>
   bool

@@ -4,6 +4,7 @@
 #ifndef crevasse_grid_geometry_h
 #define crevasse_grid_geometry_h
 
+#include <crevasse/grid/gmsh_file.h>
 #include <crevasse/parameters/parameters.h>
 
 #include <deal.II/grid/tria.h>
@@ -13,8 +14,9 @@ namespace Crevasse
   /** Numbers of cells of a mesh, which may exceed an integer. */
   struct CellCounts
   {
-    double first; ///< number of cells before refinement
-    double all;   ///< number of cells after refinement
+    double                   first;   ///< number of cells before refinement
+    double                   all;     ///< number of cells after refinement
+    std::vector<std::string> remarks; ///< on the mesh file, for the log
   };
 
   /**
@@ -25,16 +27,16 @@ namespace Crevasse
    *
    * @param on_cell_count Called with the future numbers of cells before the
    * mesh is made; may throw.
-   * @param cracks Boundary ids along which the mesh of a Gmsh file is cut.
-   * @throw SceneError if the file is not a mesh of quadrilaterals (hexahedra),
-   * or if the crack cannot be resolved.
+   * @param named Groups of a Gmsh file that the scene names.
+   * @throw SceneError if the mesh file cannot be used, or if the crack cannot
+   * be resolved.
    */
   template <int dim>
   void
   make_mesh(const GeometryParameters                      &parameters,
             dealii::Triangulation<dim>                    &mesh,
             const std::function<void(const CellCounts &)> &on_cell_count = {},
-            const std::set<unsigned int>                  &cracks        = {});
+            const NamedGroups                             &named         = {});
 } // namespace Crevasse
 
 #endif

@@ -5,6 +5,7 @@
 #define crevasse_grid_gmsh_file_h
 
 #include <crevasse/grid/mesh_faces.h>
+#include <crevasse/parameters/boundary_roles.h>
 
 #include <deal.II/base/point.h>
 
@@ -15,10 +16,6 @@
 
 namespace Crevasse
 {
-  /** Message for a mesh with other cells than quadrilaterals (hexahedra). */
-  std::string
-  only_hypercubes(const unsigned int dim);
-
   /** Nodes of an edge by their numbers in the file, the smaller first. */
   using EdgeNodes = std::pair<std::size_t, std::size_t>;
 
@@ -29,19 +26,30 @@ namespace Crevasse
     std::vector<MeshElement>                cells;
     std::vector<MeshElement>                boundary;
     std::map<EdgeNodes, std::size_t>        middles; ///< edge middles
+    std::vector<std::string>                remarks; ///< lines for the log
+  };
+
+  /** Physical groups that a scene names. All others are ignored where an
+   * element belongs to several groups, and within the body. */
+  struct NamedGroups
+  {
+    BoundaryRoles          roles;
+    std::set<unsigned int> materials;
   };
 
   /**
-   * Reads a .msh file of any format with the library of Gmsh. Not thread-safe.
+   * Reads a .msh file of any format with the library of Gmsh, divides all cells
+   * into quadrilaterals (hexahedra), and cuts the mesh along its cracks. Not
+   * thread-safe.
    *
-   * @param cracks Physical groups along which the mesh is cut.
-   * @throw SceneError if Gmsh cannot read the file, or if the file is not a
-   * mesh of quadrilaterals (hexahedra) whose faces fit together.
+   * @throw SceneError if Gmsh cannot read the file, if the faces of its cells
+   * do not fit together, or if an element belongs to several groups with
+   * different roles or materials.
    */
   GmshMesh
-  read_gmsh_file(const std::string            &file_name,
-                 const unsigned int            dim,
-                 const std::set<unsigned int> &cracks);
+  read_gmsh_file(const std::string &file_name,
+                 const unsigned int dim,
+                 const NamedGroups &named);
 } // namespace Crevasse
 
 #endif

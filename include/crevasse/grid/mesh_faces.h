@@ -5,6 +5,7 @@
 #define crevasse_grid_mesh_faces_h
 
 #include <cstddef>
+#include <set>
 #include <vector>
 
 namespace Crevasse
@@ -23,17 +24,19 @@ namespace Crevasse
 
   /**
    * Checks that the elements of a mesh file fit together. deal.II assumes that
-   * at most two cells share a face and see its nodes in the same order; it
-   * ignores a boundary element that is no face of a cell, and uses any of two
-   * boundary ids.
+   * at most two cells share a face and see its nodes in the same order, and
+   * ignores a boundary element that is no face of a cell.
    *
    * @param cells Quadrilaterals (hexahedra).
-   * @param boundary Lines (quadrilaterals).
+   * @param boundary Lines (quadrilaterals). Those of groups without a role that
+   * are not on the surface of the body are removed.
+   * @param groups Groups with a role.
    * @throw SceneError that names elements and nodes of the file.
    */
   void
   check_faces(const std::vector<MeshElement> &cells,
-              const std::vector<MeshElement> &boundary);
+              const std::set<unsigned int>   &groups,
+              std::vector<MeshElement>       &boundary);
 } // namespace Crevasse
 
 #endif

@@ -4,6 +4,7 @@
 #ifndef crevasse_model_body_h
 #define crevasse_model_body_h
 
+#include <crevasse/base/log.h>
 #include <crevasse/contact/signorini_problem.h>
 #include <crevasse/discretisation/external_loads.h>
 #include <crevasse/discretisation/material_field.h>
@@ -21,10 +22,14 @@ namespace Crevasse
   boundary_roles(const Scene &scene);
 
   /** Creates the scene's mesh with the refinement that needs no solution:
-   * uniform and towards the crack tip. Collective. @throw SceneError */
+   * uniform and towards the crack tip. Collective.
+   * @param log Gets remarks on a mesh file, unless it is null.
+   * @throw SceneError */
   template <int dim>
   std::shared_ptr<Mesh<dim>>
-  make_scene_mesh(const Scene &scene, const MPI_Comm communicator);
+  make_scene_mesh(const Scene   &scene,
+                  const MPI_Comm communicator,
+                  Log           *log = nullptr);
 
   /**
    * The discretised body: mesh, spaces, lip and loads, before anything is

@@ -9,6 +9,10 @@
 
 namespace Crevasse
 {
+  /** Material ids with which formulas of the material compare. */
+  std::set<unsigned int>
+  compared_materials(const Scene &scene);
+
   /** Checks formulas of the material. @throw SceneError if one compares with a
    * material id that no cell has. */
   template <int dim>
