@@ -62,7 +62,7 @@ _crevasse()
         _crevasse_add -d -- "$word"
         _crevasse_add -f -X '!*.prm' -- "$word"
         _crevasse_add -f -X '!*.json' -- "$word"
-        [ "$COMP_CWORD" != 1 ] || _crevasse_add -W "sweep advise report figures temperature" -- "$word"
+        [ "$COMP_CWORD" != 1 ] || _crevasse_add -W "sweep advise report figures mesh temperature" -- "$word"
       fi ;;
   esac
   return 0

@@ -34,6 +34,7 @@ class Crevasse(CMakePackage):
         depends_on("py-jinja2")
         depends_on("py-matplotlib")
         depends_on("py-meshio")
+        depends_on("py-netcdf4")
         depends_on("py-pandas")
 
     generator("ninja")

@@ -45,6 +45,9 @@ namespace Crevasse
        "as a scene"},
       {"report", "Make one page of the results of a run or a sweep"},
       {"figures", "Draw the figures of a run or a sweep"},
+      {"mesh",
+       "Convert a mesh file of another program, with its groups, to a Gmsh "
+       "file"},
       {"temperature",
        "Convert temperatures of another program for [Loads] Temperature"}};
     return commands;

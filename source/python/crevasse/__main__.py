@@ -7,7 +7,8 @@ import importlib
 import os
 import sys
 
-NAMES = ("sweep", "advise", "figures", "report", "temperature")
+NAMES = ("sweep", "advise", "figures", "report", "temperature",
+         "mesh")
 FILE_FAILURE = 4
 
 

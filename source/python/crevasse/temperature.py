@@ -19,6 +19,8 @@ import h5py
 import meshio
 import numpy
 
+from crevasse.mesh_parts import Mistake
+
 INPUT_MISTAKE, FILE_FAILURE = 2, 4
 NAMES = ("theta", "temperature", "t")
 
@@ -37,10 +39,6 @@ SIMPLICES = {
                        (0, 7, 4, 6), (0, 4, 5, 6), (0, 5, 1, 6)),
         "voxel": ((0, 1, 3, 7), (0, 3, 2, 7), (0, 2, 6, 7),
                   (0, 6, 4, 7), (0, 4, 5, 7), (0, 5, 1, 7))}}
-
-
-class Mistake(Exception):
-    """A mistake in a file: the message has its name, and what to do."""
 
 
 def main(words):
@@ -221,6 +219,11 @@ def by_meshio(name, reader):
     try:
         return reader()
     except (Exception, SystemExit) as error:  # pylint: disable=broad-except
+        with open(name, "rb") as file:
+            if b"vtkLZ4DataCompressor" in file.read(1000):
+                raise Mistake(f"{name}: is compressed by LZ4, which meshio does not "
+                              "read; write it with ZLib or uncompressed (ParaView: "
+                              "Compressor Type)") from None
         raise Mistake(f"{name}: cannot be read by meshio: "
                       f"{type(error).__name__} {error}") from None
 
