@@ -50,6 +50,8 @@ main(int argc, char **argv)
   const Command command = parse_command_line(words);
   if (command.exit)
     return command.status;
+  if (const int status = convert_mesh(command); status != done)
+    return status;
   if (!command.print_format.empty())
     return show_parameters(command);
 

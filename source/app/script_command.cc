@@ -4,11 +4,13 @@
 #include <crevasse/app/command_line.h>
 #include <crevasse/app/script_command.h>
 #include <crevasse/base/version.h>
+#include <crevasse/parameters/mesh_conversion.h>
 
 #include <algorithm>
 #include <cstdlib>
 #include <filesystem>
 #include <iostream>
+#include <sys/wait.h>
 #include <unistd.h>
 
 namespace Crevasse
@@ -106,5 +108,41 @@ namespace Crevasse
       ". Install Debian's packages python3-jinja2, "
       "python3-matplotlib and python3-meshio.\n";
     return file_failure;
+  }
+
+
+
+  int
+  convert_mesh(const Command &command)
+  {
+    for (const char *of_mpirun : {"OMPI_COMM_WORLD_SIZE", "PMI_SIZE"})
+      if (const char *size = std::getenv(of_mpirun);
+          size != nullptr && std::string(size) != "1")
+        return done;
+    try
+      {
+        const std::string from =
+          mesh_file_of(command.scene_file, command.overrides);
+        const std::string to = converted_mesh(from);
+        std::error_code   unknown;
+        if (to.empty() || fs::exists(to, unknown))
+          return done;
+        std::cout << std::flush;
+        const pid_t child = fork();
+        if (child == 0)
+          {
+            if (command.quiet && freopen("/dev/null", "w", stdout) == nullptr)
+              std::_Exit(file_failure);
+            std::_Exit(run_script_command({"crevasse", "mesh", from, to}));
+          }
+        int status = 0;
+        if (child < 0 || waitpid(child, &status, 0) != child)
+          return file_failure;
+        return WIFEXITED(status) ? WEXITSTATUS(status) : file_failure;
+      }
+    catch (const std::exception &) // reported when the scene is read
+      {
+        return done;
+      }
   }
 } // namespace Crevasse

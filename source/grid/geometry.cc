@@ -277,14 +277,16 @@ namespace Crevasse
      * @return remarks for the log. */
     template <int dim>
     std::vector<std::string>
-    read_mesh(const std::string  &file_name,
-              const NamedGroups  &named,
-              const MPI_Comm      communicator,
-              Triangulation<dim> &triangulation)
+    read_mesh(const GeometryParameters &parameters,
+              const NamedGroups        &named,
+              const MPI_Comm            communicator,
+              Triangulation<dim>       &triangulation)
     {
-      const std::string where   = "[Geometry] Mesh file = " + file_name + ": ";
-      const bool        is_gmsh = Text::suffix(file_name) == ".msh";
-      const bool        is_reader =
+      const std::string &file_name = parameters.file_to_read();
+      const std::string  where =
+        "[Geometry] Mesh file = " + parameters.mesh_file + ": ";
+      const bool is_gmsh = Text::suffix(file_name) == ".msh";
+      const bool is_reader =
         Utilities::MPI::this_mpi_process(communicator) == 0;
       CoarseMesh<dim> mesh;
       try
@@ -301,8 +303,9 @@ namespace Crevasse
                 {
                   throw SceneError(
                     "deal.II knows no format with this file name extension, or "
-                    "the file has another format; convert it to a Gmsh file, "
-                    "for example with meshio.");
+                    "the file has another format; convert it to a Gmsh file: "
+                    "crevasse mesh " +
+                    file_name + " mesh.msh.");
                 }
           });
           mesh = Utilities::MPI::broadcast(communicator, mesh);
@@ -316,8 +319,8 @@ namespace Crevasse
             "\nAllowed: " +
             (dim == 2 ? "triangles and quadrilaterals in the plane x-y"
                       : "tetrahedra, wedges and hexahedra") +
-            ", in a Gmsh file (.msh, format 2 or 4) of first or second order, "
-            "or in a file that \"crevasse mesh\" converts.");
+            ", of first or second order, in a Gmsh file (.msh) or in one of "
+            "another program (.inp, .unv, .med, .e, .exo, .vtk, .vtu).");
         }
       mesh.remarks.push_back(require_convex_cells(triangulation, where));
       return mesh.remarks;
@@ -349,10 +352,8 @@ namespace Crevasse
     Triangulation<dim>       from_file;
     std::vector<std::string> remarks;
     if (is_file)
-      remarks = read_mesh(parameters.mesh_file,
-                          named,
-                          mesh.get_communicator(),
-                          from_file);
+      remarks =
+        read_mesh(parameters, named, mesh.get_communicator(), from_file);
     if (on_cell_count)
       {
         const double n = is_file ? from_file.n_active_cells()

@@ -3,6 +3,7 @@
 
 #include <crevasse/base/problems.h>
 #include <crevasse/base/text.h>
+#include <crevasse/grid/coincident_faces.h>
 #include <crevasse/grid/cut_cracks.h>
 #include <crevasse/grid/gmsh_elements.h>
 #include <crevasse/grid/gmsh_file.h>
@@ -13,6 +14,7 @@
 #include <fcntl.h>
 #include <fstream>
 #include <gmsh.h>
+#include <limits>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -98,6 +100,28 @@ namespace Crevasse
 
 
 
+    /** Checks that a plane mesh lies in a plane z = const. @throw SceneError */
+    void
+    require_plane(const GmshMesh &mesh)
+    {
+      double low = std::numeric_limits<double>::max(), high = -low, size = 0.;
+      for (const MeshElement &cell : mesh.cells)
+        for (const std::size_t node : cell.nodes)
+          {
+            const auto &point = mesh.nodes.at(node);
+            low               = std::min(low, point[2]);
+            high              = std::max(high, point[2]);
+            size              = std::max(size, point.norm());
+          }
+      if (high - low > 1e-6 * size)
+        throw SceneError("its cells extend from z = " + Text::from_number(low) +
+                         " to " + Text::from_number(high) +
+                         "; turn the mesh into the plane x-y, or set "
+                         "Dimension = 3 for a body in space");
+    }
+
+
+
     GmshMesh
     read(const std::string &file_name,
          const unsigned int dim,
@@ -120,6 +144,8 @@ namespace Crevasse
       for (const unsigned int material : named.materials)
         materials.push_back({material});
       mesh.cells = read_gmsh_elements(dim, dim, materials, mesh);
+      if (dim == 2)
+        require_plane(mesh);
       mesh.boundary =
         read_gmsh_elements(dim - 1, dim, uses_of(named.roles), mesh);
       return mesh;
@@ -192,12 +218,14 @@ namespace Crevasse
            : std::string(". Gmsh saves only physical groups if there are any: "
                          "put the body into one too, as by Physical ") +
                (dim == 2 ? "Surface" : "Volume") + "(\"body\", 1) = {1}"));
-    if (const std::string divided = split_cells(dim, mesh); !divided.empty())
-      mesh.remarks.push_back(divided);
-    cut_cracks(named.roles.crack, mesh);
     std::set<unsigned int> with_role;
     for (const std::set<unsigned int> &groups : uses_of(named.roles))
       with_role.insert(groups.begin(), groups.end());
+    for (const std::string &remark :
+         {split_cells(dim, mesh), find_coincident_faces(with_role, mesh)})
+      if (!remark.empty())
+        mesh.remarks.push_back(remark);
+    cut_cracks(named.roles.crack, mesh);
     check_faces(mesh.cells, with_role, mesh.boundary);
     return mesh;
   }

@@ -65,8 +65,10 @@ namespace Crevasse
       "next to the scene file, then in the working directory. Second-order "
       "elements of a Gmsh file (Mesh.ElementOrder = 2) have circular arcs as "
       "edges: with Degree = 2 cells are curved, in the plane also after "
-      "refinement. Allowed: a Gmsh file (.msh) or another format that deal.II "
-      "reads");
+      "refinement. A file of Abaqus or CalculiX (.inp), UNV, MED, Exodus (.e, "
+      ".exo) or VTK (.vtk, .vtu) is converted before the run, to a Gmsh file "
+      "in results/meshes. Allowed: a Gmsh file (.msh), one of these, or "
+      "another format that deal.II reads");
     subdivisions.add_parameter(
       "Subdivisions",
       "Numbers of cells of a built-in shape along x and y (and z), before "

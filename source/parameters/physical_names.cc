@@ -55,7 +55,7 @@ namespace Crevasse
     has_gmsh_file(const Scene &scene)
     {
       return scene.geometry.shape == Shape::mesh_file &&
-             Text::suffix(scene.geometry.mesh_file) == ".msh";
+             Text::suffix(scene.geometry.file_to_read()) == ".msh";
     }
 
 
@@ -101,7 +101,7 @@ namespace Crevasse
     if (!has_gmsh_file(scene))
       return;
     const unsigned int dim   = scene.dimension - 1;
-    const Names        names = read_names(scene.geometry.mesh_file, dim);
+    const Names        names = read_names(scene.geometry.file_to_read(), dim);
     for (const BoundaryRole &role : boundary_role_table)
       {
         Parsed<BoundaryList> &list = scene.boundary.*role.list;
@@ -113,7 +113,7 @@ namespace Crevasse
         for (const std::string &name : list->names)
           if (const auto group = names.find(name); group != names.end())
             ids.push_back(std::to_string(group->second));
-          else if (is_readable(scene.geometry.mesh_file))
+          else if (is_readable(scene.geometry.file_to_read()))
             problems.add(BoundaryParameters::section,
                          role.name,
                          describe_unknown("the mesh file has no boundary named",
@@ -132,7 +132,7 @@ namespace Crevasse
     std::map<unsigned int, std::string> of_ids;
     if (has_gmsh_file(scene))
       for (const auto &[name, id] :
-           read_names(scene.geometry.mesh_file, scene.dimension))
+           read_names(scene.geometry.file_to_read(), scene.dimension))
         of_ids[id] = name;
     return of_ids;
   }
@@ -148,7 +148,7 @@ namespace Crevasse
     const std::string section = MaterialParameters::section;
     const Names       names =
       has_gmsh_file(scene)
-              ? read_names(scene.geometry.mesh_file, scene.dimension)
+              ? read_names(scene.geometry.file_to_read(), scene.dimension)
               : Names();
 
     std::map<std::string, std::string> replaced;
@@ -181,7 +181,7 @@ namespace Crevasse
                              "material == 1");
             else if (const auto group = names.find(name); group != names.end())
               id = std::to_string(group->second);
-            else if (is_readable(scene.geometry.mesh_file))
+            else if (is_readable(scene.geometry.file_to_read()))
               problems.add(
                 section,
                 parameter,

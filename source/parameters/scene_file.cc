@@ -2,6 +2,7 @@
 // Copyright (C) 2026 by the Crevasse authors
 
 #include <crevasse/base/text.h>
+#include <crevasse/parameters/mesh_conversion.h>
 #include <crevasse/parameters/physical_names.h>
 #include <crevasse/parameters/scene_file.h>
 #include <crevasse/temperature/temperature.h>
@@ -170,12 +171,27 @@ namespace Crevasse
                  const std::string &value,
                  ParameterHandler  &prm)
     {
-      namespace fs = std::filesystem;
+      set(section, name, find_file(scene_file_name, value), prm);
+    }
 
-      const fs::path  file = fs::path(scene_file_name).parent_path() / value;
-      std::error_code not_found;
-      if (!value.empty() && fs::exists(file, not_found))
-        set(section, name, fs::absolute(file).lexically_normal().string(), prm);
+
+
+    /** Finds the converted mesh file, which must exist if one is needed. */
+    void
+    find_converted_mesh(GeometryParameters &geometry, Problems &problems)
+    {
+      const std::string name = geometry.shape == Shape::mesh_file
+                                 ? Crevasse::converted_mesh(geometry.mesh_file)
+                                 : "";
+      std::error_code   unknown;
+      if (name.empty() || std::filesystem::exists(name, unknown))
+        geometry.converted_mesh_file = name;
+      else
+        problems.add(GeometryParameters::section,
+                     "Mesh file",
+                     "must be converted before mpirun starts: run \"crevasse "
+                     "mesh " +
+                       geometry.mesh_file + ' ' + name + '"');
     }
 
 
@@ -255,6 +271,7 @@ namespace Crevasse
                    "Temperature",
                    scene.loads.temperature.text(),
                    prm);
+    find_converted_mesh(scene.geometry, problems);
     replace_boundary_names(scene, problems);
     for (const auto &[name, text] :
          named_materials(scene, catalogue, prm, problems))

@@ -8,7 +8,8 @@ import shutil
 import subprocess
 
 import tubes
-from crevasse_run import (SOURCE, check, check_below, execute, run, run_on, tier)
+from crevasse_run import (SOURCE, check, check_below, execute, run, run_on,
+                          tier)
 
 REST = """\
 subsection Material
@@ -293,6 +294,95 @@ end
                   output + error)
 
 
+SQUARE = """subsection Geometry
+  set Shape     = mesh file
+  set Mesh file = square.msh
+end
+subsection Boundary
+  set Symmetry     = 1
+  set Contact      = 2
+  set Loaded       = 3
+  set Fixed points = 0.5, 0: 1
+end
+subsection Material
+  set Young modulus = 13000
+  set Poisson ratio = 0.2
+  set Viscosity     = none
+end
+subsection Loads
+  set Period   = 1
+  set Traction = 0; 10
+end
+subsection Discretisation
+  set Singular functions = 2
+end
+subsection Time integration
+  set Steps per period = 1
+end
+subsection Output
+  set Fields = none
+end
+"""
+
+
+def square(n, corners, twins=False, plane="{} {} 0"):
+    """The paper's square of n x n squares, each of cells with these corners; the crack
+    is on the right. With twins the crack is on the left of the middle as well, whose
+    lips have separate nodes in no group."""
+    number = {}
+    lines = []
+    for j in range(n + 1):
+        for i in range(n + 1):
+            number[i, j] = len(lines) + 1
+            lines.append(plane.format(i / n, j / n))
+    upper = dict(number)
+    for i in range(n // 2 if twins else 0):
+        upper[i, n // 2] = len(lines) + 1
+        lines.append(plane.format(i / n, 0.5))
+    elements = []
+    for i in range(n):
+        group = 2 if 2 * i >= n else 1
+        elements.append(f"1 2 {group} {group} {number[i, 0]} {number[i + 1, 0]}")
+    elements += [f"1 2 3 3 {number[i, n]} {number[i + 1, n]}" for i in range(n)]
+    for j in range(n):
+        of_row = upper if 2 * j == n else number
+        for i in range(n):
+            nodes = (of_row[i, j], of_row[i + 1, j], number[i + 1, j + 1],
+                     number[i, j + 1])
+            elements += [f"{len(cell) - 1} 2 10 10 "
+                         + " ".join(str(nodes[k]) for k in cell) for cell in corners]
+    pathlib.Path("square.msh").write_text("\n".join([
+        "$MeshFormat", "2.2 0 8", "$EndMeshFormat", "$Nodes", str(len(lines)),
+        *(f"{k} {line}" for k, line in enumerate(lines, 1)), "$EndNodes", "$Elements",
+        str(len(elements)), *(f"{k} {line}" for k, line in enumerate(elements, 1)),
+        "$EndElements", ""]))
+
+
+TRIANGLES = ((0, 1, 2), (0, 2, 3))
+
+
+def test_coincident_faces():
+    """Lips in no group are found, and may be named by the number that is printed."""
+    pathlib.Path("square.prm").write_text(SQUARE.replace("functions = 2", "functions = 0"))
+    square(8, TRIANGLES, twins=True)
+    status, output, error = execute("--check", "square.prm")
+    check(status == 0 and "16 faces on the surface coincide in pairs" in output
+          and "[Boundary] Crack = 4; " in output, output + error)
+    status, output, error = execute(
+        "--check", "square.prm", "--set", "Boundary/Crack=4", "--set",
+        "Boundary/Contact=none", "--set", "Boundary/Symmetry=1, 2")
+    check(status == 0 and "crack tip: (0.5, 0.5)" in output
+          and "coincide" not in output, output + error)
+
+
+def test_plane():
+    pathlib.Path("square.prm").write_text(SQUARE)
+    square(4, TRIANGLES, plane="{} 0 {}")
+    status, _, error = execute("--check", "square.prm")
+    check(status == 2 and "extend from z = 0 to 1; turn the mesh into the plane x-y"
+          in error, error)
+
+
 def refused(settings, message):
     path = pathlib.Path("refused.prm")
     path.write_text(tubes.TUBE)
@@ -327,6 +417,8 @@ test_curved_cells()
 test_curved_cells_everywhere()
 test_refused_curves()
 test_embedded_cracks()
+test_coincident_faces()
+test_plane()
 test_names()
 test_names_of_materials()
 test_list_of_materials()

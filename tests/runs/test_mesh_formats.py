@@ -5,13 +5,14 @@ formats' manuals."""
 
 import pathlib
 import re
+import shutil
 
 import h5py
 import meshio
 import netCDF4
 import numpy
 
-from crevasse_run import SOURCE, check, execute, start
+from crevasse_run import SOURCE, check, execute, execute_on, start
 
 MESHES = SOURCE / "tests" / "meshes"
 CUBE = numpy.array([(0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0),
@@ -282,6 +283,52 @@ def test_unv_of_second_order():
     check_scene("set Clamped = 5")
 
 
+def test_conversion_before_a_run():
+    """Once for each content of the file, and not by the processes of mpirun."""
+    shutil.rmtree("results", ignore_errors=True)
+    folder = pathlib.Path("parts")
+    folder.mkdir(exist_ok=True)
+    shutil.copy(MESHES / "plate_cps3.inp", folder / "plate.inp")
+    scene = folder / "plate.prm"
+    scene.write_text("""subsection Geometry
+  set Shape     = mesh file
+  set Mesh file = plate.inp
+end
+subsection Boundary
+  set Symmetry = LIGAMENT
+  set Contact  = LIP
+  set Loaded   = TOP
+  set Fixed points = 0, 0: 1
+end
+subsection Material
+  set Young modulus = if(material == "ALL", 2, 1)
+end
+""")
+    status, output, error = execute_on(2, "--check", scene)
+    asked = re.search(r'run "crevasse (mesh \S+plate.inp (results/meshes/plate-\S+.msh))"',
+                      error)
+    check(status == 2 and asked, f"exit status {status}: {error}")
+    for ways in range(2):  # by that command, by itself
+        if ways == 0:
+            check(start(*asked[1].split())[0] == 0, asked[1])
+            status, output, error = execute_on(2, "--check", scene)
+        else:
+            pathlib.Path(asked[2]).unlink()
+            status, output, error = execute("--check", scene)
+        check(status == 0 and "materials: 1 (ALL): 486 cells" in output
+              and ("LIP (2): 8 faces" in output) == (ways == 1), output + error)
+    status, output, error = execute("--check", scene)
+    check(status == 0 and "8 faces" not in output, output + error)
+    (folder / "plate.inp").rename(folder / "whole.inp")
+    (folder / "plate.inp").write_text("*INCLUDE, INPUT=whole.inp\n")
+    for n in (2, 3):  # files, one for each content
+        status, output, error = execute("--check", scene, "--quiet")
+        check(status == 0 and output == "", output + error)
+        check(len([*pathlib.Path("results/meshes").iterdir()]) == n, f"not {n} files")
+        with open(folder / "whole.inp", "a") as file:
+            file.write("*STEP\n")
+
+
 def test_what_is_refused():
     whole = (MESHES / "plate_cps3.inp").read_text()
     for name, (old, new), message in (
@@ -322,4 +369,5 @@ test_sides_of_exodus()
 test_families_of_med()
 test_numbers_of_vtk()
 test_unv_of_second_order()
+test_conversion_before_a_run()
 test_what_is_refused()

@@ -4,6 +4,7 @@
 #ifndef crevasse_app_script_command_h
 #define crevasse_app_script_command_h
 
+#include <crevasse/app/command_line.h>
 #include <crevasse/app/server.h>
 
 #include <string>
@@ -36,6 +37,16 @@ namespace Crevasse
    */
   int
   run_script_command(const std::vector<std::string> &words);
+
+  /**
+   * Converts the mesh file of a scene by `crevasse mesh`, before MPI starts, if
+   * it is one of another program and not yet converted. A process of mpirun
+   * does not convert; reading the scene reports it.
+   *
+   * @return an exit status other than done if that fails, after a message.
+   */
+  int
+  convert_mesh(const Command &command);
 } // namespace Crevasse
 
 #endif

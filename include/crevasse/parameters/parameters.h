@@ -39,6 +39,12 @@ namespace Crevasse
     double      thickness    = 1.; ///< thickness in three dimensions
     double      crack_length = 0.5;
     std::string mesh_file;
+    std::string converted_mesh_file; ///< Gmsh file made from mesh_file
+    const std::string &
+    file_to_read() const
+    {
+      return converted_mesh_file.empty() ? mesh_file : converted_mesh_file;
+    }
 
     /** Cells along x, y, z of the coarse mesh; empty: automatic, see
      * Crevasse::subdivisions(). */

@@ -35,8 +35,8 @@ def read(path):
     if suffix == ".inp" and head.startswith(b"*"):
         return mesh_abaqus.read(path), "Abaqus"
     for name, suffixes, reader in (
-            ("UNV", (".unv",), read_unv), ("MED", (".med", ".mmed", ".rmed"), read_med),
-            ("Exodus", (".e", ".exo", ".ex2", ".exii", ".g", ".gen"), read_exodus)):
+            ("UNV", (".unv",), read_unv), ("MED", (".med",), read_med),
+            ("Exodus", (".e", ".exo", ".ex2"), read_exodus)):
         if suffix in suffixes:
             try:
                 return reader(path), name
