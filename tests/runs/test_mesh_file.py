@@ -8,7 +8,7 @@ import shutil
 import subprocess
 
 import tubes
-from crevasse_run import (SOURCE, check, check_below, execute, run, run_on,
+from crevasse_run import (SOURCE, check, check_below, execute, full, run, run_on,
                           tier)
 
 REST = """\
@@ -316,6 +316,9 @@ end
 subsection Discretisation
   set Singular functions = 2
 end
+subsection Crack tip
+  set Stress intensity = true
+end
 subsection Time integration
   set Steps per period = 1
 end
@@ -323,6 +326,7 @@ subsection Output
   set Fields = none
 end
 """
+K_OF_SQUARE = 35.41196  # doc/crack_tip.md
 
 
 def square(n, corners, twins=False, plane="{} {} 0"):
@@ -358,12 +362,82 @@ def square(n, corners, twins=False, plane="{} {} 0"):
         "$EndElements", ""]))
 
 
-TRIANGLES = ((0, 1, 2), (0, 2, 3))
+TRIANGLES, QUADRILATERALS = ((0, 1, 2), (0, 2, 3)), ((0, 1, 2, 3),)
+
+
+def test_triangles_and_quadrilaterals():
+    """K_I of the paper's square on triangles, against the converged value, and against
+    quadrilaterals within the printed errors."""
+    tips = []
+    for name, n, corners in (("triangles", 12, TRIANGLES),
+                             ("quadrilaterals", 28, QUADRILATERALS)):
+        square(n, corners)
+        tips.append(run(SQUARE, name).summary)
+        check(tips[-1]["unknowns"] < 2000, f"{tips[-1]['unknowns']} unknowns")
+    values, errors = ([tip["crack_tip"][key]["largest"] if key == "K_I" else
+                       tip["crack_tip"][key] for tip in tips]
+                      for key in ("K_I", "K_I_error"))
+    check_below(abs(values[0] / K_OF_SQUARE - 1), 3e-3, "error of K_I on triangles")
+    check_below(abs(values[0] - values[1]), sum(errors), "triangles - quadrilaterals")
+
+
+def check_public(name, roles, *settings, dimension=2):
+    path = pathlib.Path("public.prm")
+    path.write_text(f"""set Dimension = {dimension}
+subsection Geometry
+  set Shape     = mesh file
+  set Mesh file = {MESHES / name}
+end
+subsection Boundary
+{roles}
+end
+""")
+    return execute("--check", path, *(word for setting in settings
+                                      for word in ("--set", setting)))
+
+
+def test_groups():
+    """Elements in several groups; groups that nothing names, on the surface and within
+    the body."""
+    roles = "set Clamped = bottom\nset Loaded = top\nset Crack = crack"
+    name = "cracked_triangles.msh"
+    for material, found in (
+            ("inclusion", "6 (matrix): 4320 cells, 7 (inclusion): 192 cells"),
+            ("all", "8 (all): 4512 cells")):
+        status, output, error = check_public(
+            name, roles, f'Material/Young modulus=if(material == "{material}", 2, 1)')
+        check(status == 0 and f"materials: {found}\n" in output
+              and "crack tip: (-0.4, -0.2)" in output, output + error)
+    both = 'if(material == "inclusion", 2, if(material == "all", 3, 1))'
+    for setting, message in (
+            (f"Material/Young modulus={both}",
+             '"inclusion" (7) and "all" (8), to which the scene gives different'),
+            ("Boundary/Loaded=outer", '"bottom" (1) and "outer" (3), to which'),
+            ("Boundary/Loaded=interface",
+             "and its group 5 has a role; only the surface")):
+        status, _, error = check_public(name, roles, setting)
+        check(status == 2 and message in " ".join(error.split()), error)
+    status, output, error = check_public(
+        name, roles.replace("bottom", "none"), "Boundary/Loaded=outer, top",
+        "Boundary/Fixed points=-2, -2: 1, 2; 2, -2: 2")
+    check(status == 0, error)
+
+
+def test_mixed_cells():
+    """Triangles beside quadrilaterals, which are divided where they must fit."""
+    status, output, error = check_public(
+        "plate_mixed.msh", "set Symmetry = ligament\nset Contact = lip\n"
+        "set Loaded = top edge\nset Fixed points = 0, 0: 1",
+        'Material/Young modulus=if(material == "steel", 2, 1)')
+    check(status == 0 and "triangles divided" in output and "(steel)" in output,
+          output + error)
 
 
 def test_coincident_faces():
     """Lips in no group are found, and may be named by the number that is printed."""
-    pathlib.Path("square.prm").write_text(SQUARE.replace("functions = 2", "functions = 0"))
+    pathlib.Path("square.prm").write_text(SQUARE.replace(
+        "functions = 2", "functions = 0").replace("intensity = true",
+                                                  "intensity = automatic"))
     square(8, TRIANGLES, twins=True)
     status, output, error = execute("--check", "square.prm")
     check(status == 0 and "16 faces on the surface coincide in pairs" in output
@@ -381,6 +455,53 @@ def test_plane():
     status, _, error = execute("--check", "square.prm")
     check(status == 2 and "extend from z = 0 to 1; turn the mesh into the plane x-y"
           in error, error)
+
+
+PENNY_BLOCK = """SetFactory("OpenCASCADE");
+Box(1) = {0, 0, 0, 20, 20, 20};
+Disk(20) = {0, 0, 0, 2, 2};
+BooleanFragments{ Volume{1}; Delete; }{ Surface{20}; Delete; }
+e = 1e-3;
+lip() = Surface In BoundingBox{-e, -e, -e, 2+e, 2+e, e};
+low() = Surface In BoundingBox{-e, -e, -e, 20+e, 20+e, e};
+low() -= lip();
+Physical Surface(1) = {low()};
+Physical Surface(2) = {lip()};
+Physical Surface(3) = Surface In BoundingBox{-e, -e, 20-e, 20+e, 20+e, 20+e};
+Physical Surface(4) = Surface In BoundingBox{-e, -e, -e, e, 20+e, 20+e};
+Physical Surface(5) = Surface In BoundingBox{-e, -e, -e, 20+e, e, 20+e};
+Physical Volume("body") = Volume{:};
+Mesh.MeshSizeMax = 7;
+Mesh.ElementOrder = 2;
+Mesh.MeshSizeExtendFromBoundary = 0;
+Mesh.MeshSizeFromPoints = 0;
+Field[1] = Distance;
+Field[1].CurvesList = {2};
+Field[1].NumPointsPerCurve = 100;
+Field[2] = MathEval;
+Field[2].F = "0.35 + 0.55*F1";
+Background Field = 2;
+"""
+
+
+@full
+def test_penny_of_tetrahedra():
+    """K_I in the mean over the front, of curved tetrahedra; in an infinite body it is
+    2 s sqrt(a/pi)."""
+    if not shutil.which("gmsh"):
+        print("there is no gmsh")
+        return
+    pathlib.Path("penny.geo").write_text(PENNY_BLOCK)
+    subprocess.run(["gmsh", "-3", "penny.geo"], check=True, capture_output=True,
+                   timeout=1200)
+    results = run(SOURCE / "prm" / "penny_crack.prm", "penny", [
+        f"Geometry/Mesh file={pathlib.Path('penny.msh').resolve()}"])
+    table = results.table("crack_front.csv")
+    n = table["t"].count(table["t"][-1])
+    arc, values = table["s"][-n:], table["K_I"][-n:]
+    mean = sum((a + b) / 2 * (t - s) for a, b, s, t in zip(
+        values, values[1:], arc, arc[1:])) / (arc[-1] - arc[0])
+    check_below(abs(mean / (2e6 * math.sqrt(2 / math.pi)) - 1), 0.01, "mean of K_I")
 
 
 def refused(settings, message):
@@ -417,8 +538,12 @@ test_curved_cells()
 test_curved_cells_everywhere()
 test_refused_curves()
 test_embedded_cracks()
+test_triangles_and_quadrilaterals()
+test_groups()
+test_mixed_cells()
 test_coincident_faces()
 test_plane()
+test_penny_of_tetrahedra()
 test_names()
 test_names_of_materials()
 test_list_of_materials()
