@@ -60,12 +60,13 @@ namespace Crevasse
 
     /** Physical groups of an entity. */
     Groups
-    groups_of(const std::pair<int, int> &entity)
+    groups_of(const std::pair<int, int> &entity, const GmshMesh &mesh)
     {
-      std::vector<int> groups;
-      gmsh::model::getPhysicalGroupsForEntity(entity.first,
-                                              entity.second,
-                                              groups);
+      std::vector<int> groups = {entity.second};
+      if (!mesh.entities_are_groups)
+        gmsh::model::getPhysicalGroupsForEntity(entity.first,
+                                                entity.second,
+                                                groups);
       for (const int group : groups)
         if (group < 0)
           throw SceneError(name_of(entity) + " belongs to the physical group " +
@@ -213,7 +214,7 @@ namespace Crevasse
               const GmshMesh                 &mesh,
               std::vector<Found>             &all)
     {
-      const Groups      groups = groups_of(entity);
+      const Groups      groups = groups_of(entity, mesh);
       const std::size_t n      = nodes.size() / numbers.size();
       for (std::size_t i = 0; i < numbers.size(); ++i)
         {

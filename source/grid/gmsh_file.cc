@@ -45,8 +45,9 @@ namespace Crevasse
     /** Checks the head and the counts of a Gmsh file. Gmsh runs a file without
      * this head as a program of its language, and in format 4 overruns its
      * arrays if a file has more nodes or elements than it announces.
+     * @return the format.
      * @throw SceneError */
-    void
+    double
     check_head_and_counts(const std::string &file_name)
     {
       std::ifstream file(file_name);
@@ -58,7 +59,7 @@ namespace Crevasse
         throw SceneError("it does not begin with \"$MeshFormat\"");
       file >> format >> is_binary;
       if (format < 4. || is_binary != 0)
-        return;
+        return format;
       while (std::getline(file, line))
         {
           const bool is_nodes = line.rfind("$Nodes", 0) == 0;
@@ -83,6 +84,7 @@ namespace Crevasse
                              (is_nodes ? " nodes" : " elements") + ", but " +
                              std::to_string(n_announced) + " are announced");
         }
+      return format;
     }
 
 
@@ -124,13 +126,19 @@ namespace Crevasse
 
     GmshMesh
     read(const std::string &file_name,
+         const double       format,
          const unsigned int dim,
          const NamedGroups &named)
     {
       const GmshSession session;
+      // In format 2 an element has a group and an entity, which other programs
+      // may not fill in; Gmsh otherwise gives entities the groups of all their
+      // elements.
+      gmsh::option::setNumber("Mesh.SwitchElementTags", 1);
       gmsh::open(file_name);
 
-      GmshMesh                 mesh;
+      GmshMesh mesh;
+      mesh.entities_are_groups = format < 3.;
       std::vector<std::size_t> numbers;
       std::vector<double>      coordinates, parametric;
       gmsh::model::mesh::getNodes(numbers, coordinates, parametric);
@@ -158,6 +166,7 @@ namespace Crevasse
      * @throw SceneError if the child crashes. */
     void
     require_that_gmsh_survives(const std::string &file_name,
+                               const double       format,
                                const unsigned int dim)
     {
       const pid_t child = fork();
@@ -168,7 +177,7 @@ namespace Crevasse
           dup2(open("/dev/null", O_WRONLY), STDERR_FILENO);
           try
             {
-              read(file_name, dim, {});
+              read(file_name, format, dim, {});
             }
           catch (...) // the parent reports it
             {
@@ -191,12 +200,12 @@ namespace Crevasse
                  const unsigned int dim,
                  const NamedGroups &named)
   {
-    check_head_and_counts(file_name);
-    require_that_gmsh_survives(file_name, dim);
+    const double format = check_head_and_counts(file_name);
+    require_that_gmsh_survives(file_name, format, dim);
     GmshMesh mesh;
     try
       {
-        mesh = read(file_name, dim, named);
+        mesh = read(file_name, format, dim, named);
       }
     catch (const std::string &message) // Gmsh throws strings
       {

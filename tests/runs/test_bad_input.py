@@ -77,7 +77,7 @@ EDITED_MESHES = {  # of edge_crack_2.msh: a line, another one for it, and the me
     "two_orders": ("2 1 2 1 1 6 5", "2 8 2 1 1 6 5 13",
                    "curve 1 has elements of first and of second order; all must have one"),
     "a_negative_group": ("3 1 2 2 2 5 7", "3 1 2 -2 9 5 7",
-                         "curve 9 belongs to the physical group -2; groups must be "
+                         "curve -2 belongs to the physical group -2; groups must be "
                          "numbered from 0"),
     "a_face_of_three_cells": ("12 3 2 10 1 9 15 8 3", "12 3 2 10 1 7 15 8 3",
                               "are a face of this cell and of two others"),

@@ -343,17 +343,16 @@ def square(n, corners, twins=False, plane="{} {} 0"):
     for i in range(n // 2 if twins else 0):
         upper[i, n // 2] = len(lines) + 1
         lines.append(plane.format(i / n, 0.5))
-    elements = []
-    for i in range(n):
-        group = 2 if 2 * i >= n else 1
-        elements.append(f"1 2 {group} {group} {number[i, 0]} {number[i + 1, 0]}")
-    elements += [f"1 2 3 3 {number[i, n]} {number[i + 1, n]}" for i in range(n)]
+    # Other programs give all elements the entity 0.
+    elements = [f"1 2 {2 if 2 * i >= n else 1} 0 {number[i, 0]} {number[i + 1, 0]}"
+                for i in range(n)]
+    elements += [f"1 2 3 0 {number[i, n]} {number[i + 1, n]}" for i in range(n)]
     for j in range(n):
         of_row = upper if 2 * j == n else number
         for i in range(n):
             nodes = (of_row[i, j], of_row[i + 1, j], number[i + 1, j + 1],
                      number[i, j + 1])
-            elements += [f"{len(cell) - 1} 2 10 10 "
+            elements += [f"{len(cell) - 1} 2 10 0 "
                          + " ".join(str(nodes[k]) for k in cell) for cell in corners]
     pathlib.Path("square.msh").write_text("\n".join([
         "$MeshFormat", "2.2 0 8", "$EndMeshFormat", "$Nodes", str(len(lines)),

@@ -27,6 +27,9 @@ namespace Crevasse
     std::vector<MeshElement>                boundary;
     std::map<EdgeNodes, std::size_t>        middles; ///< edge middles
     std::vector<std::string>                remarks; ///< lines for the log
+    /** Whether the numbers of entities are those of groups: in format 2 each
+     * element has its own group. */
+    bool entities_are_groups = false;
   };
 
   /** Physical groups that a scene names. All others are ignored where an
