@@ -141,6 +141,8 @@ def test_generated_nodes():
 1, 9, 2
 *ELSET, ELSET=BOTH
 FIRST, 2
+*ELEMENT, TYPE=T3D3, ELSET=OUTER
+900, 101, 102, 103
 *SURFACE, NAME=HOLE
 BOTH, S4
 10, S4
@@ -149,7 +151,7 @@ BOTH, S4
     output, names = convert("ring.inp")
     check(names["BOTH"][0] == "6 cells" and names["RING"][0] == "10 cells"
           and names["HOLE"][0] == "7 faces" and names["INSIDE"][0] == "10 faces"
-          and "*TIE" in output, output)
+          and names["OUTER"][0] == "1 face" and "*TIE" in output, output)
     mesh = meshio.read("converted.msh")
     radii = numpy.sort(numpy.linalg.norm(mesh.points, axis=1))
     expected = numpy.repeat([0, 1, 1.5, 2], [1, 21, 11, 21])
@@ -245,7 +247,7 @@ def test_numbers_of_vtk():
     points = numpy.array([(0, 0, 0), (0, 0, 1), (2, 0, 0), (2, 0, 1), (1, 0, 0)], float)
     mesh = meshio.Mesh(points, [("triangle", [(0, 4, 1), (4, 2, 3), (4, 3, 1)]),
                                 ("line", [(0, 1)])],
-                       cell_data={"id": [numpy.array([7, 8, 8]), numpy.array([3])],
+                       cell_data={"id": [numpy.array([[7], [8], [8]]), numpy.array([[3]])],
                                   "size": [numpy.ones(3), numpy.ones(1)]})
     for name in ("squares.vtk", "squares.vtu"):
         meshio.write(name, mesh)

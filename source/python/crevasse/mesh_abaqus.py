@@ -187,6 +187,8 @@ class Deck:
             n = int(re.search(r"\d+", kind.replace("3D", "")).group())
         # An element may take several lines.
         numbers = numpy.array([*itertools.chain(*numbers)]).reshape(-1, n + 1)
+        if dimension == 1 and n == 3:
+            numbers = numbers[:, [0, 1, 3, 2]]  # the middle node stands second
         group = self.group("elsets", options["ELSET"]) if "ELSET" in options else []
         for label, *nodes in numbers.tolist():
             group.append(len(self.elements))

@@ -235,8 +235,10 @@ def read_by_meshio(path, file_format):
             elements.append([None] * len(nodes))
             left_out[kind] += len(nodes)
     elements = [*itertools.chain(*elements)]
-    for name, arrays in source.cell_data.items():
+    for name, arrays in source.cell_data.items() if source.cells else ():
         values = numpy.concatenate([*map(numpy.asarray, arrays)])
+        if values.size == len(values):
+            values = values.ravel()
         if values.ndim > 1 or values.dtype.kind not in "iu" or (
                 len(numpy.unique(values)) > MOST_VALUES):
             left_out[f"array {name}"] += len(values)
