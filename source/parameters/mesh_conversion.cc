@@ -10,6 +10,7 @@
 
 #include <filesystem>
 #include <fstream>
+#include <map>
 #include <regex>
 #include <set>
 
@@ -79,13 +80,14 @@ namespace Crevasse
   mesh_file_of(const std::string              &scene_file,
                const std::vector<std::string> &overrides)
   {
-    Problems    ignored; // reported when the scene is read
-    std::string name;
+    Problems                           ignored; // reported with the scene
+    std::map<std::string, std::string> values;
     for (const Assignment &assignment :
          read_assignments(scene_file, overrides, ignored))
-      if (assignment.section == GeometryParameters::section &&
-          assignment.name == "Mesh file")
-        name = assignment.value;
-    return find_file(scene_file, name);
+      if (assignment.section == GeometryParameters::section)
+        values[assignment.name] = assignment.value;
+    return values["Shape"] == name_of(Shape::mesh_file)
+             ? find_file(scene_file, values["Mesh file"])
+             : "";
   }
 } // namespace Crevasse

@@ -87,7 +87,7 @@ namespace Crevasse
           continue;
         checker.demand(list->names.empty(),
                        role.name,
-                       "names of boundaries need a Gmsh file with physical "
+                       "names of boundaries need a mesh file with named "
                        "groups; otherwise this must be \"automatic\", \"none\" "
                        "or boundary ids separated by commas");
         for (const auto id : list->ids)

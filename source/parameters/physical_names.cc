@@ -51,11 +51,14 @@ namespace Crevasse
 
 
 
+    /** Whether there is a Gmsh file, or a file that cannot be read, of which
+     * nothing else is reported. */
     bool
     has_gmsh_file(const Scene &scene)
     {
       return scene.geometry.shape == Shape::mesh_file &&
-             Text::suffix(scene.geometry.file_to_read()) == ".msh";
+             (Text::suffix(scene.geometry.file_to_read()) == ".msh" ||
+              !is_readable(scene.geometry.mesh_file));
     }
 
 
@@ -78,12 +81,17 @@ namespace Crevasse
     std::string
     describe_unknown(const std::string &beginning,
                      const std::string &name,
-                     const Names       &names,
+                     const std::string &file_name,
                      const unsigned int dim)
     {
       constexpr const char *kinds[] = {"Point", "Curve", "Surface", "Volume"};
+      for (unsigned int other = 0; other <= 3; ++other)
+        if (other != dim && read_names(file_name, other).count(name) > 0)
+          return beginning + " \"" + Text::shorten(name) + "\": it is a " +
+                 kinds[other] + ", but with this Dimension it must be a " +
+                 kinds[dim];
       std::vector<std::string> known;
-      for (const auto &[other, number] : names)
+      for (const auto &[other, number] : read_names(file_name, dim))
         known.push_back('"' + other + "\" (" + std::to_string(number) + ')');
       return beginning + " \"" + Text::shorten(name) + "\"; its names: " +
              (known.empty()
@@ -118,7 +126,7 @@ namespace Crevasse
                          role.name,
                          describe_unknown("the mesh file has no boundary named",
                                           name,
-                                          names,
+                                          scene.geometry.file_to_read(),
                                           dim));
         list = ids.empty() ? "none" : Text::join(ids, ", ");
       }
@@ -187,7 +195,7 @@ namespace Crevasse
                 parameter,
                 describe_unknown("the mesh file has no material named",
                                  name,
-                                 names,
+                                 scene.geometry.file_to_read(),
                                  scene.dimension));
             text                = before + id + after;
             replaced[parameter] = text;

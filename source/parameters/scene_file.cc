@@ -184,9 +184,8 @@ namespace Crevasse
                                  ? Crevasse::converted_mesh(geometry.mesh_file)
                                  : "";
       std::error_code   unknown;
-      if (name.empty() || std::filesystem::exists(name, unknown))
-        geometry.converted_mesh_file = name;
-      else
+      geometry.converted_mesh_file = name;
+      if (!name.empty() && !std::filesystem::exists(name, unknown))
         problems.add(GeometryParameters::section,
                      "Mesh file",
                      "must be converted before mpirun starts: run \"crevasse "

@@ -488,6 +488,12 @@ CASES = [
             r"deal\.II knows no format .* crevasse mesh .*\nAllowed: .*\n$"],
            [f"Geometry/Mesh file=mesh.{suffix}"], scene=MESH_SCENE)
       for suffix in ("ucd", "other")],
+    Case("name_of_cells", 2,
+         ['no boundary named "body": it is a Surface, but with this Dimension it must '
+          "be a Curve"],
+         [mesh("edge_crack_4"), "Boundary/Contact=body"], scene=MESH_SCENE),
+    Case("name_in_no_file", 4, [r"none\.inp: cannot be read: No such file"],
+         ["Geometry/Mesh file=none.inp", "Boundary/Contact=lip"], scene=MESH_SCENE),
     Case("unknown_boundary_name", 2,
          [r'\[Boundary\] Contact = lips, top: the mesh file has no boundary '
           r'named "lips"; its names: "ligament" \(1\), "lip" \(2\), "top"'],

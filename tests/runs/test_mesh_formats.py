@@ -329,6 +329,11 @@ end
         check(len([*pathlib.Path("results/meshes").iterdir()]) == n, f"not {n} files")
         with open(folder / "whole.inp", "a") as file:
             file.write("*STEP\n")
+    (folder / "plate.inp").write_text("*NCOPY\n")
+    status, _, error = execute(
+        "--check", SOURCE / "prm" / "raous1980.prm", "--set",
+        f"Geometry/Mesh file={(folder / 'plate.inp').resolve()}")
+    check(status == 2 and "is allowed only with Shape = mesh file" in error, error)
 
 
 def test_what_is_refused():

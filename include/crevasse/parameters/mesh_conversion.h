@@ -20,7 +20,8 @@ namespace Crevasse
   std::string
   converted_mesh(const std::string &mesh_file);
 
-  /** Mesh file that a scene names, before its parameters are parsed. */
+  /** Mesh file that a scene reads, before its parameters are parsed; empty if
+   * the shape is another one. */
   std::string
   mesh_file_of(const std::string              &scene_file,
                const std::vector<std::string> &overrides);
