@@ -6,6 +6,7 @@
 #include <crevasse/grid/gmsh_elements.h>
 
 #include <algorithm>
+#include <array>
 #include <gmsh.h>
 #include <optional>
 
@@ -231,9 +232,17 @@ namespace Crevasse
             throw SceneError(what() +
                              "pyramids are not implemented; mesh the body with "
                              "tetrahedra alone, or with hexahedra and wedges");
-          if (std::set<std::size_t>(own.begin(), own.end()).size() < n)
+          std::set<std::array<double, 3>> places;
+          for (const std::size_t node : element.nodes)
+            {
+              const auto &place = mesh.nodes.at(node);
+              places.insert({{place[0], place[1], place[2]}});
+            }
+          if (places.size() < element.nodes.size() ||
+              std::set<std::size_t>(own.begin(), own.end()).size() < n)
             throw SceneError(what() +
-                             "a node occurs twice. Collapsed cells, as around "
+                             "a node occurs twice, or two have one place. "
+                             "Collapsed cells, as around "
                              "crack tips with quarter-point elements, are not "
                              "implemented; use ordinary cells there, and "
                              "[Discretisation] Singular functions");

@@ -74,6 +74,7 @@ IN_SPACE = ["Dimension=3", "Geometry/Subdivisions=2, 2, 1"]
 EDITED_MESHES = {  # of edge_crack_2.msh: a line, another one for it, and the message
     "a_node_twice": ("16 3 2 10 1 11 14 13 10", "16 3 2 10 1 11 14 13 11",
                      r"element 16, at \(0.25, 1, 0\): a node occurs twice.*Singular functions"),
+    "nodes_of_one_place": ("14 0.25 0.5 0", "14 0.25 1 0", "or two have one place"),
     "two_orders": ("2 1 2 1 1 6 5", "2 8 2 1 1 6 5 13",
                    "curve 1 has elements of first and of second order; all must have one"),
     "a_negative_group": ("3 1 2 2 2 5 7", "3 1 2 -2 9 5 7",
