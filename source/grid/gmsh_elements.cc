@@ -236,7 +236,8 @@ namespace Crevasse
           for (const std::size_t node : element.nodes)
             {
               const auto &place = mesh.nodes.at(node);
-              places.insert({{place[0], place[1], place[2]}});
+              places.insert(
+                std::array<double, 3>{{place[0], place[1], place[2]}});
             }
           if (places.size() < element.nodes.size() ||
               std::set<std::size_t>(own.begin(), own.end()).size() < n)
