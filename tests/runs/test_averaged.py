@@ -39,7 +39,7 @@ def test_contraction():
     """Without contact and without acceleration the error shrinks in each period
     by what the poles promise."""
     for poles, bound in ((1, 0.30), (2, 0.03)):
-        for decades in tier((0, 3, 6, 10), range(11)):
+        for decades in tier((0, 5, 10), range(11)):
             for hot in (30., 3000.):
                 found = compute("contraction", MESH + OPEN + steps(40) + WARM + [
                     traction("0; 10*sin(2*pi*t/600)*x")] + relaxation(
@@ -65,7 +65,7 @@ def test_march():
 def test_fixed_points():
     """One pole, two poles, with and without acceleration end at the same stress,
     of bodies of which most never comes to rest in a march."""
-    for name, body in bodies(8).items():
+    for name, body in list(bodies(8).items())[::tier(3, 1)]:
         ways = {"two poles": averaged(2, 1e-10), "one pole": averaged(1, 1e-10),
                 "two poles alone": averaged(2, 1e-10, depth=0)}
         found = {way: compute("_".join([name, way]).replace(" ", "_"),
