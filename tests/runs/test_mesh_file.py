@@ -43,7 +43,7 @@ subsection Geometry
 end
 """ + REST
 
-READ = """\
+FROM_FILE = """\
 subsection Geometry
   set Shape     = mesh file
   set Mesh file = {mesh}
@@ -54,7 +54,8 @@ subsection Boundary
   set Loaded       = 3
   set Fixed points = 0.5, 0: 1
 end
-""" + REST
+"""
+READ = FROM_FILE + REST
 
 MESHES = SOURCE / "tests" / "meshes"
 
@@ -294,16 +295,7 @@ end
                   output + error)
 
 
-SQUARE = """subsection Geometry
-  set Shape     = mesh file
-  set Mesh file = square.msh
-end
-subsection Boundary
-  set Symmetry     = 1
-  set Contact      = 2
-  set Loaded       = 3
-  set Fixed points = 0.5, 0: 1
-end
+SQUARE = FROM_FILE.format(mesh="square.msh") + """\
 subsection Material
   set Young modulus = 13000
   set Poisson ratio = 0.2

@@ -60,8 +60,9 @@ namespace Crevasse
     void
     add(const Vector &x, const Vector &image);
 
-    /** The same with the part of G(x) − x that is to vanish: combinations make
-     * this residual small. For maps that are not known to contract. */
+    /** Adds a point of a map that is not known to contract by its image and by
+     * the part of G(x) − x that is to vanish: combinations make this residual
+     * small. */
     void
     add_measured(const Vector &image, const Vector &residual);
 
