@@ -32,9 +32,7 @@ namespace Crevasse
       for (const MeshElement &cell : mesh.cells)
         for (const FaceNodes &nodes : nodes_of_faces(cell))
           {
-            FaceNodes key = nodes;
-            std::sort(key.begin(), key.end());
-            auto &[n_cells, first] = faces[key];
+            auto &[n_cells, first] = faces[sorted_nodes(nodes)];
             ++n_cells;
             first = nodes;
           }
@@ -91,15 +89,11 @@ namespace Crevasse
     const auto faces = with_partner(surface_of(mesh));
     if (faces.empty())
       return "";
-    const auto sorted = [](FaceNodes nodes) {
-      std::sort(nodes.begin(), nodes.end());
-      return nodes;
-    };
     std::map<FaceNodes, std::size_t> index;
     unsigned int                     next = 1; // a number that no group has
     for (std::size_t i = 0; i < mesh.boundary.size(); ++i)
       {
-        index[sorted(mesh.boundary[i].nodes)] = i;
+        index[sorted_nodes(mesh.boundary[i].nodes)] = i;
         next = std::max(next, mesh.boundary[i].group + 1);
       }
     std::size_t            n = 0;
@@ -107,7 +101,8 @@ namespace Crevasse
     for (const SurfaceFace &face : faces)
       {
         const auto place =
-          index.emplace(sorted(face.nodes), mesh.boundary.size()).first->second;
+          index.emplace(sorted_nodes(face.nodes), mesh.boundary.size())
+            .first->second;
         if (place == mesh.boundary.size())
           mesh.boundary.push_back({0, 0, face.nodes});
         unsigned int &group = mesh.boundary[place].group;

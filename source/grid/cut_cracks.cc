@@ -18,15 +18,6 @@ namespace Crevasse
 
 
 
-    Nodes
-    sorted(Nodes nodes)
-    {
-      std::sort(nodes.begin(), nodes.end());
-      return nodes;
-    }
-
-
-
     Faces
     faces_of(const std::vector<MeshElement> &cells)
     {
@@ -35,7 +26,7 @@ namespace Crevasse
         {
           const std::vector<Nodes> of_cell = nodes_of_faces(cells[c]);
           for (std::size_t f = 0; f < of_cell.size(); ++f)
-            faces[sorted(of_cell[f])].emplace_back(c, f);
+            faces[sorted_nodes(of_cell[f])].emplace_back(c, f);
         }
       return faces;
     }
@@ -79,7 +70,7 @@ namespace Crevasse
     {
       std::set<Nodes> cuts;
       for (const MeshElement &element : boundary)
-        if (const auto face = faces.find(sorted(element.nodes));
+        if (const auto face = faces.find(sorted_nodes(element.nodes));
             groups.count(element.group) > 0 && face != faces.end() &&
             face->second.size() == 2)
           cuts.insert(face->first);
@@ -134,11 +125,11 @@ namespace Crevasse
                     const GmshMesh        &mesh)
     {
       for (const MeshElement &element : mesh.boundary)
-        if (cuts.count(sorted(element.nodes)) > 0)
+        if (cuts.count(sorted_nodes(element.nodes)) > 0)
           {
-            const auto &sides = faces.at(sorted(element.nodes));
+            const auto &sides = faces.at(sorted_nodes(element.nodes));
             const auto  lip   = [&](const CellFace &side) {
-              return sorted(
+              return sorted_nodes(
                 nodes_of_faces(mesh.cells[side.first])[side.second]);
             };
             if (lip(sides[0]) != lip(sides[1]))
@@ -170,7 +161,7 @@ namespace Crevasse
     {
       std::vector<MeshElement> boundary;
       for (const MeshElement &element : mesh.boundary)
-        if (const auto face = faces.find(sorted(element.nodes));
+        if (const auto face = faces.find(sorted_nodes(element.nodes));
             face == faces.end() ||
             (face->second.size() > 1 && cuts.count(face->first) == 0))
           boundary.push_back(element); // check_faces() reports it

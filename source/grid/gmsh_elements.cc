@@ -6,7 +6,6 @@
 #include <crevasse/grid/gmsh_elements.h>
 
 #include <algorithm>
-#include <array>
 #include <gmsh.h>
 #include <optional>
 
@@ -206,6 +205,28 @@ namespace Crevasse
 
 
 
+    /** Whether an element has a node twice, or two vertices at one place. */
+    bool
+    has_collapsed(const std::vector<std::size_t> &nodes,
+                  const int                       n_vertices,
+                  const GmshMesh                 &mesh)
+    {
+      std::vector<dealii::Point<3>> places;
+      for (int i = 0; i < n_vertices; ++i)
+        {
+          const auto &place = mesh.nodes.at(nodes[i]);
+          if (std::find(places.begin(), places.end(), place) != places.end())
+            return true;
+          places.push_back(place);
+        }
+      for (auto node = nodes.begin(); node != nodes.end(); ++node)
+        if (std::find(nodes.begin(), node, *node) != node)
+          return true;
+      return false;
+    }
+
+
+
     /** Reads the elements of a type of an entity with their vertices. */
     void
     read_type(const int                       n_vertices,
@@ -232,15 +253,7 @@ namespace Crevasse
             throw SceneError(what() +
                              "pyramids are not implemented; mesh the body with "
                              "tetrahedra alone, or with hexahedra and wedges");
-          std::set<std::array<double, 3>> places;
-          for (const std::size_t node : element.nodes)
-            {
-              const auto &place = mesh.nodes.at(node);
-              places.insert(
-                std::array<double, 3>{{place[0], place[1], place[2]}});
-            }
-          if (places.size() < element.nodes.size() ||
-              std::set<std::size_t>(own.begin(), own.end()).size() < n)
+          if (has_collapsed(own, n_vertices, mesh))
             throw SceneError(what() +
                              "a node occurs twice, or two have one place. "
                              "Collapsed cells, as around "

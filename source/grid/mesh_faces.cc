@@ -137,6 +137,15 @@ namespace Crevasse
 
 
 
+  std::vector<std::size_t>
+  sorted_nodes(std::vector<std::size_t> nodes)
+  {
+    std::sort(nodes.begin(), nodes.end());
+    return nodes;
+  }
+
+
+
   void
   check_faces(const std::vector<MeshElement> &cells,
               const std::set<unsigned int>   &groups,

@@ -22,6 +22,10 @@ namespace Crevasse
   std::vector<std::vector<std::size_t>>
   nodes_of_faces(const MeshElement &cell);
 
+  /** Nodes by their numbers: what tells a face, whatever its order is. */
+  std::vector<std::size_t>
+  sorted_nodes(std::vector<std::size_t> nodes);
+
   /**
    * Checks that the elements of a mesh file fit together. deal.II assumes that
    * at most two cells share a face and see its nodes in the same order, and
