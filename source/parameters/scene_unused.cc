@@ -190,7 +190,7 @@ namespace Crevasse
          of_method},
         {"Periodic state/Tolerance, Converged quantity",
          !periodic.missions.empty(),
-         "Missions are no periodic state"},
+         "Missions seek no periodic state"},
         {"Periodic state/Converged quantity", direct, of_method},
         {"Periodic state/Mission tolerance",
          periodic.missions.empty(),

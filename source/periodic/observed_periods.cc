@@ -167,7 +167,7 @@ namespace Crevasse
 
   template <int dim>
   double
-  ObservedPeriods<dim>::compute(Vector &r)
+  ObservedPeriods<dim>::compute(Vector &r, const bool shows_end)
   {
     ++so_far.periods;
     if (sums_increments)
@@ -177,6 +177,8 @@ namespace Crevasse
           sum_of_steps = 0.;
         evolution.count_from(&r_before);
         advance(sum_of_steps);
+        if (shows_end && !steps.jumps_at(steps.period()))
+          end_before_jump(steps.n_steps(), sum_of_steps, true);
         evolution.count_from(nullptr);
         r = r_before;
         r += sum_of_steps;

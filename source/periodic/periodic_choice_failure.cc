@@ -18,9 +18,10 @@ namespace Crevasse
     {
       const double change = result.stress_change.back();
       const double error  = result.stress_error_estimate.back();
-      // A ReturnDefect does not fall with the changes.
+      // A ReturnDefect does not fall with the changes, nor does what another
+      // Converged quantity lacks.
       if (result.periods < 3 || result.return_defect >= error ||
-          !std::isfinite(error))
+          !std::isfinite(error) || error <= tolerance)
         return "";
       return Text::Message() << " (about "
                              << std::ceil(std::log(tolerance / error) /

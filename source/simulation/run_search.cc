@@ -199,9 +199,10 @@ namespace Crevasse
     const double     slowest =
       magnitudes.relaxation_times.longest_in_mean / scene.loads.period;
     if (parameters.missions.empty() && slowest > many && std::isfinite(slowest))
-      log.line("  no component reaches this state: some part relaxes in " +
+      log.line("  the slowest part relaxes in " +
                Text::from_number(slowest, 2) +
-               " periods. [Periodic state] Missions computes given periods");
+               " periods, and no component lives so long. [Periodic state] "
+               "Missions computes the state at given ages");
     if (parameters.missions.empty())
       Averaged<dim>(periods, averaged, parameters.anderson_depth)
         .run(state.viscous_strain);

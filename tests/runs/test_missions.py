@@ -70,6 +70,18 @@ def test_numbers():
     check_below(abs(row["K_I_smallest"] - min(K)) / max(K), 1e-12, "smallest K_I")
     growth = found.summary["crack_tip"]["da_dN"]
     check_below(abs(row["da_dN"] / growth - 1), 1e-12, "growth")
+    # K that is largest at the end of each period.
+    late = MESH + steps(20) + [
+        "Material/Relaxation time=1800", traction("0; 10*cos(2*pi*t/600)"),
+        "Material/Thermal expansion=1e-5",
+        "Loads/Temperature=-30*(1 - cos(2*pi*t/600))*x^2"]
+    found = compute("late", late + missions("5, 12", *words[-4:]))
+    for n, largest in zip((5, 12), found.table("missions.csv")["K_I_largest"]):
+        marched = compute("marched", late + method("march", "sdirk2", 0, n)
+                          + words[-4:])
+        K = marched.table("crack_tip.csv")["K_I"]
+        check(K[-1] > max(K[-21:-1]) * (1 + 1e-6), "K is largest at the end")
+        check_below(abs(largest / K[-1] - 1), 1e-8, f"mission {n}: largest K_I")
     space = box_scene("10*sin(2*pi*t/600) - 2") + steps(10) + [
         "Material/Relaxation time=700", "Crack tip/Stress intensity=true"]
     found = run(BODY, "space", COMMON + space + missions("3"))

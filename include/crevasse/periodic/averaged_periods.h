@@ -48,11 +48,12 @@ namespace Crevasse
     }
 
     /** Computes a period. @param r viscous strain at its beginning; on return,
-     * at its end. @return the change of stress. */
+     * at its end. @param shows_end see ObservedPeriods::compute(). @return the
+     * change of stress. */
     double
-    compute(Vector &r)
+    compute(Vector &r, const bool shows_end = false)
     {
-      const double change = periods.compute(r);
+      const double change = periods.compute(r, shows_end);
       // A body with the same stages has the same averages.
       const TimeQuadrature rule =
         is_linear ? periods.quadrature() : TimeQuadrature();

@@ -51,13 +51,14 @@ namespace Crevasse
           step = in_pair ? middle : start;
           if (!periods.begins_another(step))
             return;
-          r = step;
-          averaged.compute(r);
+          r                     = step;
+          const bool is_mission = !in_pair && done + 1 == missions[next];
+          averaged.compute(r, is_mission);
           double       error   = std::numeric_limits<double>::quiet_NaN();
           unsigned int mission = 0;
           if (in_pair)
             error = end_pair();
-          else if (done + 1 == missions[next])
+          else if (is_mission)
             {
               mission = missions[next++];
               if (next < missions.size())

@@ -111,9 +111,12 @@ namespace Crevasse
 
     /** Advances the viscous strain @p r to the end of the period. Returns the
      * change of stress, see PeriodReport; nan if the steps differ from those of
-     * the period before. */
+     * the period before.
+     *
+     * @param shows_end whether observers see the state at the end of a period
+     * whose increments are summed, as before a jump. */
     double
-    compute(Vector &r);
+    compute(Vector &r, const bool shows_end = false);
 
     /** ReturnDefect over the last period, relative to its largest stress; 0 if
      * the strain is not known to return. */
