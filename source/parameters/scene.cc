@@ -264,7 +264,10 @@ namespace Crevasse
         Checker(RefinementParameters::section, problems)
           .demand(fulfilled, "Readapt every", "must be 0 " + reason);
       };
-      demand(scene.periodic_state.method == PeriodicMethodType::march,
+      demand(scene.periodic_state.missions.empty(),
+             "with [Periodic state] Missions, which leap on one mesh");
+      demand(!scene.periodic_state.missions.empty() ||
+               scene.periodic_state.method == PeriodicMethodType::march,
              "unless [Periodic state] Method = march: other methods compare "
              "states on one mesh");
       demand(scene.periodic_state.secular_split != SecularSplitType::on,

@@ -48,6 +48,7 @@ namespace Crevasse
     archive.common(so_far.steps_repeat);
     archive.common(so_far.stress_change);
     archive.common(so_far.stress_error_estimate);
+    archive.common(so_far.missions);
     archive.common(so_far.converged);
     archive.common(so_far.judged_error);
     archive.common(is_comparable);
@@ -324,6 +325,8 @@ namespace Crevasse
   {
     last.stress_error_estimate = error_estimate;
     last.mission               = mission;
+    if (mission > 0)
+      so_far.missions.push_back(mission);
     so_far.stress_error_estimate.push_back(error_estimate);
     so_far.judged_error = limits.quantity == nullptr
                             ? error_estimate

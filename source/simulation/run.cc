@@ -2,6 +2,7 @@
 // Copyright (C) 2026 by the Crevasse authors
 
 #include <crevasse/base/problems.h>
+#include <crevasse/base/text.h>
 #include <crevasse/linear/mumps_instance.h>
 #include <crevasse/simulation/run.h>
 #include <crevasse/time/step_control.h>
@@ -226,7 +227,20 @@ namespace Crevasse
         split.is_split = split.strain_returns = split.effect.on = false;
         split.effect.why                                        = what;
         log.line("  warning: " + what);
+        return;
       }
+    if (scene.periodic_state.converged_quantity != "opening")
+      return;
+    const std::vector<double> rates = body.lip.opening_rates(flow->velocity);
+    const double largest = *std::max_element(rates.begin(), rates.end());
+    if (largest > 0.)
+      throw NumericalError(
+        Text::Message()
+        << "[Periodic state] Converged quantity = opening: the mean load opens "
+           "the lip by "
+        << largest * steps.period()
+        << " in each period, so that its opening is not periodic. Take stress, "
+           "K_I or a probe.");
   }
 
 

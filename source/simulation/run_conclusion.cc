@@ -149,8 +149,12 @@ namespace Crevasse
       summary["stress_change"]         = result.stress_change;
       summary["stress_error_estimate"] = result.stress_error_estimate;
       summary["periods"]               = result.periods;
-      summary["converged"]             = // null: nothing was marched
-        result.periods > 0 ? Summary(result.converged) : Summary();
+      const bool has_missions = !run.scene.periodic_state.missions.empty();
+      summary["converged"]    = // null: no periodic state was sought
+        result.periods > 0 && !has_missions ? Summary(result.converged)
+                                               : Summary();
+      if (has_missions)
+        summary["missions"] = result.missions;
       const double seconds = report_meters(run.log, summary);
       summary["processor_seconds"] =
         Utilities::MPI::max(state.timer.cpu_time(), communicator);
@@ -234,6 +238,13 @@ namespace Crevasse
     const PeriodicResult &result = state.result;
     if (result.periods == 0)
       return;
+    if (result.converged && choice.periods_are_iterates() &&
+        summary.value("closed_part", Summary()) ==
+          Summary{{"wholly", 0.}, {"partly", 0.}})
+      log.line(
+        "  No lip touches in the periodic state. How far it opens on the "
+        "way from rest is not known: openings are some of many. Method = "
+        "march follows that way.");
     const PeriodicStateParameters &parameters = scene.periodic_state;
     if (body.effects.viscosity.on)
       require_meaning(summary["certificate"]["stress_rounding"],

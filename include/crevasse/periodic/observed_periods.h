@@ -26,8 +26,10 @@ namespace Crevasse
     unsigned int periods   = 0;
     bool         converged = false; ///< whether periodic, within tolerance
     /** Whether the last two periods had most of their instants in common. */
-    bool steps_repeat     = true;
-    bool has_all_missions = false; ///< whether none is left to compute
+    bool steps_repeat = true;
+    /** Missions that were computed, and whether none is left. */
+    std::vector<unsigned int> missions;
+    bool                      has_all_missions = false;
     /** ReturnDefect over the last period; 0 if it is ignored. */
     double return_defect = 0.;
     /** Estimated error of the last period that the tolerance is for. */

@@ -40,11 +40,16 @@ namespace Crevasse
         {
           times.clear();
           values.clear();
+          before_jumps.clear();
         }
-      times.push_back(sample.time);
-      const auto now =
-        analysis.evaluate(steps.within_period(sample.instant), sample);
-      values.insert(values.end(), now.begin(), now.end());
+      add(sample);
+    }
+
+    void
+    before_jump(const Sample &sample) override
+    {
+      before_jumps.push_back(times.size());
+      add(sample);
     }
 
     void
@@ -53,6 +58,7 @@ namespace Crevasse
       archive.section("crack front");
       archive.common(times);
       archive.common_list(values);
+      archive.common(before_jumps);
     }
 
     /** Largest and smallest K_I of the last period along the front. */
@@ -110,6 +116,15 @@ namespace Crevasse
   private:
     using Values = std::vector<CrackFrontAnalysis::Estimate>;
 
+    void
+    add(const Sample &sample)
+    {
+      times.push_back(sample.time);
+      const auto now =
+        analysis.evaluate(steps.within_period(sample.instant), sample);
+      values.insert(values.end(), now.begin(), now.end());
+    }
+
     std::size_t
     n_vertices() const
     {
@@ -155,9 +170,12 @@ namespace Crevasse
       CsvTable table(file_name, columns);
       for (std::size_t i = 0; i < values.size(); ++i)
         {
+          const unsigned int k = i / n_vertices();
+          if (std::binary_search(before_jumps.begin(), before_jumps.end(), k))
+            continue;
           const auto         &value = values[i];
           const auto         &point = vertex(i).point;
-          std::vector<double> row   = {times[i / n_vertices()],
+          std::vector<double> row   = {times[k],
                                        1. + vertex(i).chain,
                                        vertex(i).s,
                                        point[0],
@@ -183,6 +201,8 @@ namespace Crevasse
     // Times and values in the last period; vertices vary before steps.
     std::vector<double> times;
     Values              values;
+    /** Places in times of samples before a jump, which have no rows. */
+    std::vector<unsigned int> before_jumps;
   };
 } // namespace Crevasse
 

@@ -74,12 +74,15 @@ namespace Crevasse
                                                   : "-";
         };
       log.line(Text::format(
-        "  %6u %8g  %16s  %15s %4zu",
+        "  %6u %8g  %16s  %15s %4zu%s",
         report.period,
         report.end_time,
         shown("%.6e", report.stress_change, report.period > 1).c_str(),
         shown("%.1e", report.judged_error, report.judged_error <= 1.).c_str(),
-        report.vi_solves));
+        report.vi_solves,
+        report.mission > 0
+          ? ("  mission " + std::to_string(report.mission)).c_str()
+          : ""));
     }
 
   private:

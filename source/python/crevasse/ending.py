@@ -60,6 +60,11 @@ def finished(run):
         return Ending("good", f"Done: the stress is periodic after {periods}", [
             f"Its estimated error is {significant(error, 3)} of the largest stress "
             f"component ([Periodic state] Tolerance = {tolerance})."])
+    missions = run.parameter("Periodic state/Missions")
+    if missions:
+        return Ending("good", f"Done: missions {missions} are computed", [
+            f"They took {periods}; missions.csv has a row for each. The other "
+            "tables end with the last mission."])
     if converged is None:
         return Ending("plain", "Done: no period was requested", [])
     measured = (f"In the last period it changed by {significant(change, 3)} of the "
@@ -68,11 +73,6 @@ def finished(run):
                 f"In the last period it changed by {significant(change, 3)} of the "
                 "largest component; its distance from the periodic stress is "
                 "unknown.")
-    missions = run.parameter("Periodic state/Missions")
-    if missions:
-        return Ending("good", f"Done: missions {missions} are computed", [
-            f"They took {periods}; missions.csv has a row for each. The other "
-            "tables end with the last mission."])
     if number(tolerance) == 0:
         return Ending("plain", f"Done: {periods} computed, as requested", [
             "With [Periodic state] Tolerance = 0 the run does not check whether the "
@@ -94,9 +94,11 @@ def failed(run, message):
             sentence(message), reached(run), checkpoint(run),
             "This report shows what the run had written by then."])
     converged = run.summary.get("converged")
+    periods = plural(run.summary.get("periods", 0), "period")
     heading = ("Done, but the result is in doubt" if converged else
-               "Not converged: the stress is not periodic after "
-               + plural(run.summary.get("periods", 0), "period"))
+               f"Ended after {periods}, before the last mission"
+               if run.parameter("Periodic state/Missions") else
+               f"Not converged: the stress is not periodic after {periods}")
     return Ending("bad", heading, [sentence(message)])
 
 
