@@ -42,19 +42,21 @@ namespace Crevasse
              " ended the run before the last of Missions. All results so far "
              "are written. Raise it and continue by --resume, or raise Mission "
              "tolerance.";
-    const double  error = result.judged_error;
-    Text::Message message;
-    message << "The stress is not yet periodic: after " << result.periods
-            << (result.periods == 1 ? " period" : " periods");
-    message << " it still changes by " << result.stress_change.back()
-            << " of its maximum";
+    const double      error     = result.judged_error;
+    const std::string quantity  = parameters.converged_quantity;
+    const bool        is_stress = quantity == "stress";
+    Text::Message     message;
+    message << (is_stress ? "The stress"
+                          : "[Periodic state] Converged quantity = " + quantity)
+            << " is not yet periodic: after " << result.periods
+            << (result.periods == 1 ? " period" : " periods")
+            << (is_stress ? " it" : " the stress") << " still changes by "
+            << result.stress_change.back() << " of its maximum";
     if (!result.place.empty())
       message << ", most " << result.place;
     message << ", and ";
-    if (parameters.converged_quantity == "stress")
-      message << "its error is ";
-    else
-      message << "the error of " << parameters.converged_quantity << " is ";
+    message << (is_stress ? "its error is "
+                          : "the error of " + quantity + " is ");
     // The estimate of a stress that hardly relaxes may exceed it.
     if (error <= 1.)
       message << "estimated as " << error << ", more than ";
@@ -65,6 +67,9 @@ namespace Crevasse
       message << ", because adaptive steps do not repeat";
     else if (result.periods > 1 && result.return_defect > parameters.tolerance)
       message << ", because the viscous strain is not yet periodic";
+    if (quantity == "opening")
+      message << ". A lip that a mean load opens further in each period has no "
+                 "periodic opening";
     message << ". All results so far are written. Raise \"Maximum periods\"";
     if (method == PeriodicMethodType::march && result.steps_repeat)
       message << periods_to_go(result, parameters.tolerance);
