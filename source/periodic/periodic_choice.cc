@@ -214,6 +214,9 @@ namespace Crevasse
     else if (choice.method == Method::anderson &&
              fourier_obstacles(scene, body, steps).empty())
       choice.alternative = "set Method = fourier with Scheme = trapezoid";
+    else if (choice.method == Method::anderson &&
+             averaged_obstacle(scene, body, linear).empty())
+      choice.alternative = "set Method = averaged";
     return choice;
   }
 

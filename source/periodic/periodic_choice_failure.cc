@@ -46,9 +46,12 @@ namespace Crevasse
     const std::string quantity  = parameters.converged_quantity;
     const bool        is_stress = quantity == "stress";
     Text::Message     message;
-    message << (is_stress ? "The stress"
-                          : "[Periodic state] Converged quantity = " + quantity)
-            << " is not yet periodic: after " << result.periods
+    if (is_stress)
+      message << "The stress is not yet periodic: ";
+    else
+      message << "[Periodic state] Converged quantity = " << quantity
+              << " is not yet periodic: ";
+    message << "after " << result.periods
             << (result.periods == 1 ? " period" : " periods")
             << (is_stress ? " it" : " the stress") << " still changes by "
             << result.stress_change.back() << " of its maximum";
