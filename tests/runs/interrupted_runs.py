@@ -233,10 +233,15 @@ def finish(directory, settings, n_ranks=1):
 
 
 def content(path):
-    """Of a file of results, without seconds and dates."""
+    """Of a file of results, without seconds and dates; a change of stress, which is
+    relative to the largest stress, without what is rounding."""
     text = path.read_bytes()
     if path.name == "periods.csv":
-        text = b"\n".join(line.rpartition(b",")[0] for line in text.splitlines())
+        head, *rows = (line.split(b",")[:-1] for line in text.splitlines())
+        change = head.index(b"stress_change")
+        for row in rows:
+            row[change] = b"%.14f" % float(row[change])
+        text = b"\n".join(b",".join(row) for row in [head, *rows])
     return re.sub(rb"<!--.*?-->", b"", text, flags=re.DOTALL)
 
 
