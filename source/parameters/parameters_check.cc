@@ -11,17 +11,19 @@ namespace Crevasse
 {
   namespace
   {
-    /** Adds a problem unless a file exists, is readable and is not empty. */
+    /** Adds a problem unless a file exists, is readable and is not empty.
+     * @param advice where it cannot be read. */
     void
     demand_file(const char        *section,
                 const char        *name,
                 const std::string &file_name,
-                Problems          &problems)
+                Problems          &problems,
+                const std::string &advice = "")
     {
       std::error_code no_size; // pipes have no size
       if (const std::string why = why_unreadable(file_name); !why.empty())
         {
-          problems.add(section, name, file_name, why);
+          problems.add(section, name, file_name, why + advice);
           problems.last_is_unreadable();
         }
       else if (std::filesystem::file_size(file_name, no_size) == 0 && !no_size)
@@ -68,7 +70,12 @@ namespace Crevasse
                      "Mesh file",
                      "must be given with Shape = mesh file");
     else
-      demand_file(section, "Mesh file", mesh_file, problems);
+      demand_file(section,
+                  "Mesh file",
+                  mesh_file,
+                  problems,
+                  ". If a script or a .geo file makes it, as the scene's "
+                  "comments may tell, run that first");
   }
 
 

@@ -124,8 +124,12 @@ namespace Crevasse
           }
         catch (const std::exception &)
           {
-            problem = "must be " +
-                      catalogue[section][name]["allowed"].get<std::string>();
+            const std::string one_of  = "one of: ";
+            const std::string allowed = catalogue[section][name]["allowed"];
+            problem                   = "must be " + allowed;
+            if (allowed.rfind(one_of, 0) == 0)
+              problem += Text::did_you_mean(
+                value, Text::split(allowed.substr(one_of.size()), ','));
           }
       if (!problem.empty())
         problems.add(section, name, problem);

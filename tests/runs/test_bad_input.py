@@ -241,7 +241,7 @@ CASES = [
          ["Geometry/Width=wide"]),
     Case("not_a_choice", 2,
          [r"\[Geometry\] Shape = edge_crack: must be one of: edge crack, "
-          r"centre crack, rectangle, box, mesh file"],
+          r"centre crack, rectangle, box, mesh file; did you mean \"edge crack\"\?"],
          ["Geometry/Shape=edge_crack"]),
     Case("crack_longer_than_plate", 2,
          [r"\[Geometry\] Crack length = 1.5: must be shorter than the plate: "
@@ -389,7 +389,9 @@ CASES = [
          ["Boundary/Fixed points=0.3, 0"]),
     Case("missing_mesh_file", 4,
          [r"^crevasse: missing_mesh_file\.prm:3: \[Geometry\] Mesh file = "
-          r"nowhere\.msh: cannot be read: No such file or directory\n"],
+          r"nowhere\.msh: cannot be read: No such file or directory\. If a script "
+          r"or a \.geo file makes it, as the scene's comments may tell, run that "
+          r"first\n"],
          scene="subsection Geometry\n  set Shape = mesh file\n"
                "  set Mesh file = nowhere.msh\nend\n"),
     Case("mesh_file_that_is_a_directory", 4,
