@@ -6,6 +6,7 @@
 #include <crevasse/parameters/checker.h>
 #include <crevasse/parameters/effects.h>
 #include <crevasse/parameters/scene.h>
+#include <crevasse/parameters/units.h>
 
 namespace Crevasse
 {
@@ -330,6 +331,16 @@ namespace Crevasse
                       "Dimension of space.",
                       dealii::Patterns::Integer(2, 3));
     prm.add_parameter(
+      "Units",
+      units,
+      "Units of length, stress, time and temperature in which the scene is "
+      "written, such as mm, MPa, h, K: they label results, and convert "
+      "nothing. "
+      "Forces are then stress times length squared. Empty: not known. Allowed: "
+      "m, cm, mm, um, in; Pa, kPa, MPa, GPa, kgf/mm2, psi, ksi; s, min, h, d, "
+      "a; "
+      "K, C, F");
+    prm.add_parameter(
       "Output directory",
       output_directory,
       "Directory of the results. Empty: results/NAME for the scene NAME.prm. A "
@@ -359,6 +370,7 @@ namespace Crevasse
   void
   Scene::check(Problems &problems) const
   {
+    Units(units, &problems);
     geometry.check(problems);
     boundary.check(problems);
     material.check(problems);

@@ -236,11 +236,8 @@ namespace Crevasse
     tip[name]            = extremes(intensity);
     tip[name + "_error"] = error;
     context.log.line(
-      title + name +
-      Text::format(" from %.5g to %.5g in the last period, estimated "
-                   "error %.1g (%.2g %%)",
-                   least,
-                   most,
+      title + name + " from " + context.units.range_of_intensity(least, most) +
+      Text::format(" in the last period, estimated error %.1g (%.2g %%)",
                    error,
                    size > 0. ? 100. * error / size : 0.));
     if (least < -10. * error && mode == 0)

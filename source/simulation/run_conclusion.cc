@@ -6,6 +6,7 @@
 #include <crevasse/base/text.h>
 #include <crevasse/base/text_file.h>
 #include <crevasse/base/version.h>
+#include <crevasse/parameters/units.h>
 #include <crevasse/simulation/run.h>
 #include <crevasse/simulation/setup_report.h>
 
@@ -108,6 +109,12 @@ namespace Crevasse
       summary["git"]       = CREVASSE_GIT_REVISION;
       summary["libraries"] = library_versions();
       summary["dimension"] = dim;
+      if (const Units units(run.scene.units); units.are_known())
+        summary["units"] = {{"length", units.length.name},
+                            {"stress", units.stress.name},
+                            {"time", units.time.name},
+                            {"temperature", units.temperature.name},
+                            {"K_in_MPa_sqrt_m", units.intensity_in_MPa()}};
       summary.update(sizes_of(run.body));
       for (const Effects::Effect &effect : run.active_effects())
         summary["effects"][effect.name] = {{"on", effect.on},

@@ -118,8 +118,9 @@ namespace Crevasse
       {
         const auto squares =
           elastic_error_squares(run.scene, body, run.systems, run.steps);
-        const TipContext context{run.steps, run.flow, closure, run.log};
-        unsigned int     n_two_lips = 0;
+        const TipContext context{
+          run.steps, run.flow, closure, Units(run.scene.units), run.log};
+        unsigned int n_two_lips = 0;
         for (const auto &tip : run.crack_tips)
           {
             const std::string number = tip->intensity.region.tip.two_lips

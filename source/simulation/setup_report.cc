@@ -4,6 +4,7 @@
 #include <crevasse/base/machine_memory.h>
 #include <crevasse/base/text.h>
 #include <crevasse/model/mesh_materials.h>
+#include <crevasse/parameters/units.h>
 #include <crevasse/simulation/setup_report.h>
 
 #include <deal.II/grid/grid_tools.h>
@@ -220,6 +221,8 @@ namespace Crevasse
     Log         &log   = run.log;
     if (!scene.title.empty())
       log.line(scene.title);
+    if (const Units units(scene.units); units.are_known())
+      log.line("  units: " + units.describe());
     const Summary sizes = sizes_of(run.body);
     log.line(Text::Message()
              << "  mesh: " << sizes["cells"] << " cells, " << sizes["unknowns"]

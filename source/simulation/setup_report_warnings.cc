@@ -2,9 +2,11 @@
 // Copyright (C) 2026 by the Crevasse authors
 
 #include <crevasse/base/text.h>
+#include <crevasse/discretisation/rigid_modes.h>
 #include <crevasse/model/largest_load.h>
 #include <crevasse/parameters/automatic.h>
 #include <crevasse/parameters/effects.h>
+#include <crevasse/parameters/units.h>
 #include <crevasse/simulation/setup_report.h>
 
 namespace Crevasse
@@ -101,6 +103,18 @@ namespace Crevasse
                       << " everywhere and always, as a temperature in kelvin "
                          "would be, but it is the change from the temperature "
                          "without thermal strain; subtract that temperature");
+    double stiffness = 0.;
+    for (const VoigtMatrix<dim> &K :
+         run.body.material.at(0.).stiffness->distinct())
+      stiffness = std::max(stiffness, K.norm());
+    stiffness =
+      dealii::Utilities::MPI::max(stiffness, run.body.space.communicator());
+    for (const std::string &doubt :
+         Units(run.scene.units)
+           .doubts(RigidParts<dim>(run.body.space.mesh()).size(),
+                   stiffness,
+                   run.steps.period()))
+      all.push_back(doubt);
     if (!run.split.warning.empty())
       all.push_back(run.split.warning);
     warn_of_large_steps(run, all);

@@ -13,6 +13,7 @@ namespace Crevasse
   {
     std::string  title;
     unsigned int dimension = 2;
+    std::string  units; ///< names for Units
     /** Output directory; empty: `results/NAME` for NAME.prm. */
     std::string output_directory;
 

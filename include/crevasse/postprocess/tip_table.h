@@ -6,6 +6,7 @@
 
 #include <crevasse/base/csv_table.h>
 #include <crevasse/crack_tip/growth_direction.h>
+#include <crevasse/parameters/units.h>
 #include <crevasse/postprocess/crack_tip_analysis.h>
 #include <crevasse/postprocess/lip_closure.h>
 #include <crevasse/postprocess/mission_table.h>
@@ -18,6 +19,7 @@ namespace Crevasse
     const StepList                   &steps;
     const std::optional<SecularFlow> &flow;    ///< flow, if found
     LipClosure<2>                    *closure; ///< closure, or null
+    const Units                       units;
     Log                              &log;
   };
 

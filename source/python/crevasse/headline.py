@@ -36,7 +36,17 @@ def numbers(run):
                         run.summary_number("extremes", "displacement"), None,
                         "length")]
     return (place_of(tips, k) if len(tips) > 1 else "",
-            [number for number in found if is_number(number.value)])
+            [number._replace(unit=unit_of(number, run)) for number in found
+             if is_number(number.value)])
+
+
+def unit_of(number, run):
+    """The unit of a number; a K that is not in MPa √m is given in these, too."""
+    unit = run.in_units(number.unit)
+    factor = run.summary_number("units", "K_in_MPa_sqrt_m")
+    if number.unit != INTENSITY or factor in (None, 1):
+        return unit
+    return f"{unit}; {significant(factor * number.value)} MPa √m"
 
 
 def leading_tip(tips):

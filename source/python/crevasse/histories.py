@@ -100,7 +100,8 @@ def chart(run, table, columns, axis, title, noise=0, log=False):
     if begin is not None:
         views["last"] = view(t, values, numpy.flatnonzero(
             t >= begin - 1e-6 * run.period))
-    return {"kind": "history", "title": title, "y": axis, "period": run.period,
+    return {"kind": "history", "title": title, "y": run.in_units(axis),
+            "period": run.period,
             "log": log and spans_decades(values),
             "from_zero": all(numpy.ptp(v) <= 1e-6 * abs(v).max() for v in values),
             "series": [{"label": symbol(column), "colour": colour}

@@ -64,12 +64,12 @@ def lip_states(history, period):
     return states
 
 
-def time_axis(axes, period):
+def time_axis(axes, period, run):
     """Draws ticks at quarters of the period, and shades the intervals of contact."""
     axes.set_xlim(period.begin, period.end)
     axes.xaxis.set_major_locator(MultipleLocator((period.end - period.begin) / 4))
     axes.xaxis.set_major_formatter(FuncFormatter(lambda t, _: f"{t:g}"))
-    axes.set_xlabel("time $t$ (units of the scene)")
+    axes.set_xlabel(run.in_units("time $t$ (time)"))
 
 
 def shade_closed(axes, states):
@@ -102,8 +102,8 @@ def stress_history(run, probe, wanted=None):
         states = lip_states(history, period)
         shade_closed(axes, states)
         label_states(axes, states, period)
-    time_axis(axes, period)
-    axes.set_ylabel(f"stress at {probe} (units of the scene)")
+    time_axis(axes, period, run)
+    axes.set_ylabel(run.in_units(f"stress at {probe} (stress)"))
     axes.legend(loc="upper left", bbox_to_anchor=(1.0, 1.0))
     return figure
 
@@ -151,9 +151,9 @@ def opening_history(run, probe, wanted=None):
         if top <= 1e-6 * scale:
             top = scale or 1  # zero but for rounding: a straight line
         panel.set_ylim(-below_zero * top, 1.08 * top)
-    axes.set_ylabel(f"opening $u_N$ at {probe} (length)")
-    below.set_ylabel("pressure $g$\n(stress)")
-    time_axis(below, period)
+    axes.set_ylabel(run.in_units(f"opening $u_N$ at {probe} (length)"))
+    below.set_ylabel(run.in_units("pressure $g$\n(stress)"))
+    time_axis(below, period, run)
     figure.align_ylabels()
     figure.text(0.5, -0.01, letters_in_words(len(ends), states), ha="center",
                 va="top", fontsize=9)

@@ -12,6 +12,7 @@ import numpy
 
 from crevasse.results import (ResultsError, at, is_number, number, probes_of,
                               read_columns, read_parameters, read_summary, read_xml)
+from crevasse.wording import in_units
 
 Period = collections.namedtuple("Period", "number, begin, end")
 
@@ -69,6 +70,10 @@ class Run:
 
     def parameter(self, name):
         return self.parameters.get(name, "")
+
+    def in_units(self, label):
+        """A label with the units of the scene, if these are known."""
+        return in_units(label, self.parameter("Units"))
 
     def number(self, name):
         value = number(self.parameter(name))

@@ -59,8 +59,8 @@ def stress_ahead(run, fields, t):
         axes.loglog(r[pulls], stress[pulls], ".", color=BLUE, label="at nodes")
         axes.loglog(r, singular(r), color=VERMILION, linewidth=1, label=name)
         place = ", ".join(f"{x:.4g}" for x in tip["position"])
-        axes.set(xlabel="distance from the tip (length)",
-                 ylabel="stress across the crack plane",
+        axes.set(xlabel=run.in_units("distance from the tip (length)"),
+                 ylabel=run.in_units("stress across the crack plane (stress)"),
                  title=f"ahead of ({place})" if len(drawn) > 1 else "")
         axes.tick_params(which="both", color=INK)
         axes.legend()
@@ -122,9 +122,12 @@ def along_front(run):
         t, s = numpy.unique(table["t"][own]), numpy.unique(table["s"][own])
         K, error = (table[column][own].reshape(len(t), len(s))
                     for column in (name, name + "_error"))
-        label = "K$_{" + name[2:] + "}$ (stress × √length)"
+        label = run.in_units("K$_{" + name[2:] + "}$ (stress × √length)")
         draw_lines(axes[0], t, s, K, error, label)
         draw_map(axes[1], t, s, K, label)
+        for panel in axes:
+            panel.set_xlabel(run.in_units("s along the front (length)"))
+        axes[1].set_ylabel(run.in_units("t (time)"))
         if len(fronts) > 1:
             axes[0].set_title(f"front {front:g}")
     return figure
@@ -138,7 +141,7 @@ def draw_lines(axes, t, s, K, error, label):
                           alpha=0.25, linewidth=0)
         axes.plot(s, K[k], color=colour, marker=".", label=f"t = {t[k]:g}")
     axes.axhline(0, color=GREY, linewidth=0.6)
-    axes.set(xlabel="s along the front (length)", ylabel=label)
+    axes.set_ylabel(label)
     axes.legend()
 
 
@@ -149,5 +152,4 @@ def draw_map(axes, t, s, K, label):
     size = abs(K).max() or 1.
     shades = axes.pcolormesh(s, t, K, shading="gouraud", cmap="RdBu_r", vmin=-size,
                              vmax=size)
-    axes.set(xlabel="s along the front (length)", ylabel="t (time)")
     axes.figure.colorbar(shades, ax=axes, label=label).outline.set_edgecolor(INK)

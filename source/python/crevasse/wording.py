@@ -12,6 +12,29 @@ MINUS = "\N{MINUS SIGN}"
 SUPERSCRIPTS = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
 
 
+FORCES = {("mm", "MPa"): "N", ("m", "Pa"): "N", ("m", "kPa"): "kN", ("m", "MPa"): "MN",
+          ("mm", "GPa"): "kN", ("mm", "kgf/mm2"): "kgf", ("in", "psi"): "lbf",
+          ("in", "ksi"): "kip"}
+
+
+def in_units(label, units):
+    """A label whose unit is in words, such as "K (stress × √length)" or "length / time",
+    with the units that [Units] names; the label itself where it names none."""
+    names = [name.strip() for name in units.split(",")]
+    if len(names) != 4:
+        return label
+    length, stress, time, _ = names
+    words = {"length": length, "stress": stress, "time": time,
+             "force": FORCES.get((length, stress), f"{stress} {length}²")}
+
+    def named(match):
+        return re.sub("length|stress|time|force", lambda word: words[word[0]], match[0])
+    unit = r"√?(length|stress|time|force)( [×/] \(?√?(length|stress|time|force)|\))*"
+    if re.fullmatch(unit, label):
+        return re.sub(".+", named, label)
+    return re.sub(rf"\({unit}\)", named, label)
+
+
 def significant(value, digits=4):
     """A number with that many digits, and a power of ten where it would be long."""
     if value is None:
