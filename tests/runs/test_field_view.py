@@ -61,6 +61,7 @@ async function look(frame) {
   part("canvas").dispatchEvent(new page.PointerEvent("pointermove", {
     clientX: box.left + box.width / 2, clientY: box.top + box.height / 2 }));
   return {page: frame.name, trouble, colours, moved, values: values.map((v) => [...v]),
+          quads: [...view.data.quads],
           changed: order.slice(1).map((after, k) => after.some((pixel, i) => pixel !== order[k][i])),
           bar: part("bar").getAttribute("aria-label"), value: part("value").textContent,
           overflow: page.document.documentElement.scrollWidth - frame.width,
@@ -136,11 +137,14 @@ def frames(pages):
 def shown(runs):
     pages = {name: report(results) for name, results in runs.items()}
     fields = {name: seen_whole(results) for name, results in runs.items()}
+    quads = {name: skin_of(results)[0].quads for name, results in runs.items()}
     found, console = open_host(frames(pages))
     check(not console, f"the browser complains: {console}")
     for frame in found:
         expected = fields[frame["page"]]["stress_22"]
         range_ = numpy.ptp(expected)
+        check(frame.pop("quads") == quads[frame["page"]].ravel().tolist(),
+              "quadrilaterals of the page")
         check_below(abs(numpy.array(frame.pop("values")) - expected).max() / range_,
                     1e-5, "error of the stress in the page, of its range")
         print(frame)

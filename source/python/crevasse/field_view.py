@@ -73,14 +73,18 @@ def pack(run):
     displacements = displacements[:, used]
     packed = {"dimension": run.dimension, "period": run.period,
               "times": times, "stored": len(stored),
-              "points": text_of(skin.points.astype(numpy.float32).view(numpy.uint32)),
-              "quads": text_of(zigzag(numpy.diff(skin.quads.astype(numpy.int32), axis=0,
-                                                 prepend=0))),
-              "marks": text_of(marks),
+              **pack_skin(skin, marks),
               "factor": magnification(skin.points, displacements, 0.06),
               "first": int(abs(numpy.array(times) - shown_instant(run)[0]).argmin()),
               "components": list(pack_components(skin, fields, run.material_names))}
     return thinned(packed)
+
+
+def pack_skin(skin, marks):
+    differences = numpy.diff(skin.quads.astype(numpy.int32), axis=0,
+                             prepend=numpy.int32(0))  # 0 alone has eight bytes
+    return {"points": text_of(skin.points.astype(numpy.float32).view(numpy.uint32)),
+            "quads": text_of(zigzag(differences)), "marks": text_of(marks)}
 
 
 def read(run, files):
