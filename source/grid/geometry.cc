@@ -4,16 +4,13 @@
 #include <crevasse/base/collectively.h>
 #include <crevasse/base/problems.h>
 #include <crevasse/base/text.h>
+#include <crevasse/grid/cell_quality.h>
 #include <crevasse/grid/curved_edges.h>
 #include <crevasse/grid/geometry.h>
 #include <crevasse/grid/gmsh_file.h>
 #include <crevasse/parameters/automatic.h>
 #include <crevasse/parameters/built_in_boundary.h>
 
-#include <deal.II/base/quadrature_lib.h>
-#include <deal.II/fe/fe_nothing.h>
-#include <deal.II/fe/fe_values.h>
-#include <deal.II/fe/mapping_q.h>
 #include <deal.II/grid/grid_generator.h>
 #include <deal.II/grid/grid_in.h>
 #include <deal.II/grid/grid_tools.h>
@@ -138,40 +135,23 @@ namespace Crevasse
           where + "in this format only " +
           (dim == 2 ? "quadrilaterals" : "hexahedra") +
           " are allowed; the program divides other cells of a Gmsh file.");
-      // Check corners; with curved edges, also middles of edges and interior.
-      const unsigned int    most = has_curved_edges(mesh) ? 2 : 1;
-      const FE_Nothing<dim> no_unknowns;
-      double                worst = 1.;
-      Point<dim>            place;
-      for (unsigned int degree = 1; degree <= most; ++degree)
+      const std::vector<double> qualities = scaled_jacobians(mesh);
+      double                    worst     = 1.;
+      Point<dim>                place;
+      for (const auto &cell : mesh.active_cell_iterators())
         {
-          const MappingQ<dim> mapping(degree);
-          FEValues<dim>       values(mapping,
-                               no_unknowns,
-                               QGaussLobatto<dim>(degree + 1),
-                               update_jacobians);
-          for (const auto &cell : mesh.active_cell_iterators())
+          const double quality = qualities[cell->active_cell_index()];
+          if (!(quality > 1e-9))
+            throw SceneError(where + "the cell around " +
+                             Text::from_point<dim>(cell->center()) +
+                             " has an angle of 180 degrees or more" +
+                             (has_curved_edges(mesh) ? ", or folds over" : "") +
+                             "; every cell must be convex" +
+                             (dim == 2 ? ", in the plane x-y." : "."));
+          if (quality < worst)
             {
-              values.reinit(cell);
-              for (const auto &jacobian : values.get_jacobians())
-                {
-                  const double determinant = jacobian.determinant();
-                  if (!(determinant > 1e-9 * std::pow(cell->diameter(), dim)))
-                    throw SceneError(where + "the cell around " +
-                                     Text::from_point<dim>(cell->center()) +
-                                     " has an angle of 180 degrees or more" +
-                                     (degree == 2 ? ", or folds over" : "") +
-                                     "; every cell must be convex" +
-                                     (dim == 2 ? ", in the plane x-y." : "."));
-                  double edges = 1.;
-                  for (unsigned int d = 0; d < dim; ++d)
-                    edges *= jacobian.transpose()[d].norm();
-                  if (determinant < worst * edges)
-                    {
-                      worst = determinant / edges;
-                      place = cell->center();
-                    }
-                }
+              worst = quality;
+              place = cell->center();
             }
         }
       return Text::format("smallest scaled Jacobian %.2f (1: right angles)",
