@@ -48,6 +48,9 @@ _crevasse()
     --set | --vary | --reference)
       _crevasse_ask_parameters "$program" || return 0
       _crevasse_complete_parameter "$word" ;;
+    --picture)
+      compopt -o filenames
+      _crevasse_add -f -X '!*.html' -- "$word" ;;
     --output)
       compopt -o filenames
       _crevasse_add -d -- "$word" ;;

@@ -120,6 +120,13 @@ doc/getting_started.md tells more.
                    "sizes, memory and output directory; compute and write "
                    "nothing");
       app
+        .add_option("--picture",
+                    command.picture,
+                    "With --check: draw the mesh with its boundaries, "
+                    "materials, supports and worst cells as a page for a "
+                    "browser")
+        ->type_name("FILE.html");
+      app
         .add_flag("--resume",
                   command.resume,
                   "Resume from the newest checkpoint of the output directory")
@@ -187,6 +194,18 @@ doc/getting_started.md tells more.
         throw CLI::ParseError("\"" + chosen.front()->get_name() +
                                 "\" must be the first argument.",
                               CLI::ExitCodes::ExtrasError);
+      const std::string &picture = command.picture;
+      if (!picture.empty() && !command.check)
+        throw CLI::ValidationError(
+          "--picture",
+          "it shows a scene before a run: write crevasse --check SCENE.prm "
+          "--picture " +
+            picture + ".");
+      if (!picture.empty() && Text::suffix(picture) != ".html")
+        throw CLI::ValidationError("--picture",
+                                   "\"" + picture +
+                                     "\" must be a file name that ends in "
+                                     ".html.");
       if (print && command.print_format.empty())
         command.print_format = "prm";
       if (!scene && (!print || !command.overrides.empty()))

@@ -2,6 +2,7 @@
 // Copyright (C) 2026 by the Crevasse authors
 
 #include <crevasse/app/output_choice.h>
+#include <crevasse/app/picture.h>
 #include <crevasse/app/run_command.h>
 #include <crevasse/base/collectively.h>
 #include <crevasse/base/expression.h>
@@ -11,6 +12,7 @@
 #include <crevasse/checkpoint/scene_difference.h>
 #include <crevasse/parameters/scene_file.h>
 #include <crevasse/simulation/adaptive_run.h>
+#include <crevasse/simulation/mesh_picture.h>
 
 #include <chrono>
 #include <cstdlib>
@@ -110,6 +112,52 @@ namespace Crevasse
 
 
 
+    /** Checks a scene, and draws its mesh if that is asked for; after a mistake
+     * the mesh before refinement by solutions, if there is one. */
+    template <int dim>
+    void
+    check_scene(const Command      &command,
+                const Scene        &scene,
+                const OutputChoice &output,
+                Checkpoints        &checkpoints,
+                Log                &log)
+    {
+      require_place_of_picture(command, MPI_COMM_WORLD);
+      std::shared_ptr<const Mesh<dim>> mesh;
+      std::exception_ptr               mistake;
+      std::string                      words;
+      try
+        {
+          const AdaptiveRun<dim> run(scene, MPI_COMM_WORLD, log, checkpoints);
+          mesh = run.mesh();
+          log.line("  output directory: " + output.directory);
+          output.require_usable();
+          log.line(scene.refinement.strategy == RefinementStrategy::adaptive
+                     ? "The scene is in order; only elastic states were "
+                       "computed, for the mesh."
+                     : "The scene is in order; nothing was computed.");
+        }
+      catch (const std::exception &error)
+        {
+          if (command.picture.empty())
+            throw;
+          mistake = std::current_exception();
+          words   = error.what();
+          if (mesh == nullptr)
+            mesh = make_scene_mesh<dim>(scene, MPI_COMM_WORLD);
+        }
+      if (!command.picture.empty())
+        {
+          Summary picture    = mesh_picture(scene, *mesh);
+          picture["mistake"] = words;
+          draw_picture(command, picture, log);
+        }
+      if (mistake)
+        std::rethrow_exception(mistake);
+    }
+
+
+
     template <int dim>
     void
     run_scene(const Command     &command,
@@ -126,31 +174,21 @@ namespace Crevasse
                               output.directory,
                               parameters,
                               scene.output.checkpoint_every);
+      if (command.check)
+        return check_scene<dim>(command, scene, output, checkpoints, log);
       if (command.resume)
         {
           if (has_finished(output, scene, parameters, communicator, log))
             return;
           checkpoints.resume(communicator);
         }
-      else if (!command.check)
+      else
         collectively(communicator, [&]() {
           if (dealii::Utilities::MPI::this_mpi_process(communicator) == 0)
             output.require_nothing_to_resume(used);
         });
-      if (!command.check)
-        requests.look_in(output.directory);
-      AdaptiveRun<dim> run(scene, communicator, log, checkpoints);
-      if (command.check)
-        {
-          log.line("  output directory: " + output.directory);
-          output.require_usable();
-          log.line(scene.refinement.strategy == RefinementStrategy::adaptive
-                     ? "The scene is in order; only elastic states were "
-                       "computed, for the mesh."
-                     : "The scene is in order; nothing was computed.");
-          return;
-        }
-
+      requests.look_in(output.directory);
+      AdaptiveRun<dim>               run(scene, communicator, log, checkpoints);
       std::unique_ptr<DirectoryLock> lock;
       collectively(communicator, [&]() {
         if (dealii::Utilities::MPI::this_mpi_process(communicator) == 0)

@@ -113,6 +113,37 @@ namespace Crevasse
 
 
   int
+  wait_for_script(const std::vector<std::string> &words,
+                  const bool                      quiet,
+                  const std::string              &input)
+  {
+    int ends[2];
+    if (pipe(ends) != 0)
+      return file_failure;
+    std::cout << std::flush;
+    const pid_t child = fork();
+    if (child == 0)
+      {
+        dup2(ends[0], STDIN_FILENO);
+        close(ends[0]);
+        close(ends[1]);
+        if (quiet && freopen("/dev/null", "w", stdout) == nullptr)
+          std::_Exit(file_failure);
+        std::_Exit(run_script_command(words));
+      }
+    close(ends[0]);
+    std::FILE *to_child = fdopen(ends[1], "w");
+    std::fwrite(input.data(), 1, input.size(), to_child);
+    std::fclose(to_child);
+    int status = 0;
+    if (child < 0 || waitpid(child, &status, 0) != child)
+      return file_failure;
+    return WIFEXITED(status) ? WEXITSTATUS(status) : file_failure;
+  }
+
+
+
+  int
   convert_mesh(const Command &command)
   {
     for (const char *of_mpirun : {"OMPI_COMM_WORLD_SIZE", "PMI_SIZE"})
@@ -127,18 +158,7 @@ namespace Crevasse
         std::error_code   unknown;
         if (to.empty() || fs::exists(to, unknown))
           return done;
-        std::cout << std::flush;
-        const pid_t child = fork();
-        if (child == 0)
-          {
-            if (command.quiet && freopen("/dev/null", "w", stdout) == nullptr)
-              std::_Exit(file_failure);
-            std::_Exit(run_script_command({"crevasse", "mesh", from, to}));
-          }
-        int status = 0;
-        if (child < 0 || waitpid(child, &status, 0) != child)
-          return file_failure;
-        return WIFEXITED(status) ? WEXITSTATUS(status) : file_failure;
+        return wait_for_script({"crevasse", "mesh", from, to}, command.quiet);
       }
     catch (const std::exception &) // reported when the scene is read
       {

@@ -26,6 +26,25 @@ namespace Crevasse
 
 
 
+  std::map<unsigned int, std::string>
+  built_in_names(const GeometryParameters &parameters, const unsigned int dim)
+  {
+    const bool has_crack = traits(parameters.shape).has_crack;
+    std::map<unsigned int, std::string> names = {
+      {BoundaryIds::left, "left"},
+      {BoundaryIds::right, "right"},
+      {BoundaryIds::ligament, has_crack ? "ligament" : "bottom"},
+      {BoundaryIds::top, "top"}};
+    if (has_crack)
+      names[BoundaryIds::lip] = "lip";
+    if (dim == 3)
+      names.insert(
+        {{BoundaryIds::front, "front"}, {BoundaryIds::back, "back"}});
+    return names;
+  }
+
+
+
   double
   tip_abscissa(const GeometryParameters &parameters)
   {

@@ -2,6 +2,7 @@
 // Copyright (C) 2026 by the Crevasse authors
 
 #include <crevasse/base/text.h>
+#include <crevasse/parameters/built_in_boundary.h>
 #include <crevasse/parameters/physical_names.h>
 
 #include <algorithm>
@@ -59,6 +60,20 @@ namespace Crevasse
       return scene.geometry.shape == Shape::mesh_file &&
              (Text::suffix(scene.geometry.file_to_read()) == ".msh" ||
               !is_readable(scene.geometry.mesh_file));
+    }
+
+
+
+    /** Names of the groups of one dimension in the Gmsh file, if it is one. */
+    std::map<unsigned int, std::string>
+    names_of_ids(const Scene &scene, const unsigned int dim)
+    {
+      std::map<unsigned int, std::string> of_ids;
+      if (has_gmsh_file(scene))
+        for (const auto &[name, id] :
+             read_names(scene.geometry.file_to_read(), dim))
+          of_ids[id] = name;
+      return of_ids;
     }
 
 
@@ -137,12 +152,17 @@ namespace Crevasse
   std::map<unsigned int, std::string>
   material_names(const Scene &scene)
   {
-    std::map<unsigned int, std::string> of_ids;
-    if (has_gmsh_file(scene))
-      for (const auto &[name, id] :
-           read_names(scene.geometry.file_to_read(), scene.dimension))
-        of_ids[id] = name;
-    return of_ids;
+    return names_of_ids(scene, scene.dimension);
+  }
+
+
+
+  std::map<unsigned int, std::string>
+  boundary_names(const Scene &scene)
+  {
+    return scene.geometry.shape == Shape::mesh_file
+             ? names_of_ids(scene, scene.dimension - 1)
+             : built_in_names(scene.geometry, scene.dimension);
   }
 
 

@@ -26,6 +26,7 @@ namespace Crevasse
     std::vector<std::string> overrides; ///< "Section/Name=value"
     std::string              output_directory;
     std::string              print_format; ///< prm, json, markdown or nothing
+    std::string              picture;      ///< page of --picture, or nothing
     bool                     check   = false;
     bool                     quiet   = false;
     bool                     verbose = false;

@@ -38,6 +38,16 @@ namespace Crevasse
   int
   run_script_command(const std::vector<std::string> &words);
 
+  /** Runs a script command in a child process.
+   *
+   * @param words as those of run_script_command().
+   * @param input for its standard input.
+   * @return its exit status, or file_failure if there is no child. */
+  int
+  wait_for_script(const std::vector<std::string> &words,
+                  const bool                      quiet,
+                  const std::string              &input = "");
+
   /**
    * Converts the mesh file of a scene by `crevasse mesh`, before MPI starts, if
    * it is one of another program and not yet converted. A process of mpirun

@@ -43,6 +43,13 @@ namespace Crevasse
     void
     progress(const std::string &text);
 
+    /** Lines of the log so far, as long as no file is open. */
+    const std::string &
+    lines() const
+    {
+      return earlier_lines;
+    }
+
     /** Whether progress() shows anything. */
     bool
     on_terminal() const

@@ -6,6 +6,8 @@
 
 #include <crevasse/parameters/parameters.h>
 
+#include <map>
+
 namespace Crevasse
 {
   /** Boundary ids of the built-in shapes. The bottom is the crack plane x₂ = 0:
@@ -21,6 +23,10 @@ namespace Crevasse
     constexpr dealii::types::boundary_id front    = 5;
     constexpr dealii::types::boundary_id back     = 6;
   } // namespace BoundaryIds
+
+  /** Names of the boundary ids that a built-in shape has. */
+  std::map<unsigned int, std::string>
+  built_in_names(const GeometryParameters &parameters, const unsigned int dim);
 
   /** Coordinate x₁ of the crack tip (in space: of the straight crack front) of
    * a built-in shape; the lip is on its right (edge crack) or on its left

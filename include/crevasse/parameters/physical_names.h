@@ -21,6 +21,10 @@ namespace Crevasse
   std::map<unsigned int, std::string>
   material_names(const Scene &scene);
 
+  /** Names of boundary ids: those of the Gmsh file or of the built-in shape. */
+  std::map<unsigned int, std::string>
+  boundary_names(const Scene &scene);
+
   /** Replaces quoted names of materials in formulas, as in material == "blade",
    * by their ids.
    * @return those parameters of section Material that quote names, by name,

@@ -36,6 +36,13 @@ namespace Crevasse
     void
     run();
 
+    /** The present mesh. */
+    std::shared_ptr<const Mesh<dim>>
+    mesh() const
+    {
+      return adapted.mesh();
+    }
+
   private:
     /** Serialises the summary of the meshes. */
     void

@@ -8,7 +8,7 @@ import os
 import sys
 
 NAMES = ("sweep", "advise", "figures", "report", "temperature",
-         "mesh")
+         "mesh", "picture")
 FILE_FAILURE = 4
 
 

@@ -31,8 +31,9 @@ def render(template, **content):
     if content.get("fields"):
         content |= {"view_libraries": [read_library(*library)
                                        for library in VIEW_LIBRARIES],
-                    "view_scripts": [read_own(f"field_{name}.js")
-                                     for name in ("data", "scene", "view")]}
+                    "view_scripts": [read_own(f"{name}.js") for name in (
+                        "field_data", "field_scene", "field_view",
+                        *["mesh_marks"] * ("groups" in content["fields"]))]}
     return environment.get_template(template).render(
         chart_library=read_library(*CHART_LIBRARY), style=read_own("style.css"),
         chart_script=read_own("charts.js"), **content)

@@ -34,9 +34,10 @@ class Skin:
     """Points of a file that are seen, and quadrilaterals between them."""
 
     def __init__(self, points, cells, parts):
-        """The skin of a file in which each cell was written in so many parts."""
+        """The skin of a file in which each cell was written in so many parts; of
+        quadrilaterals in space all are seen."""
         self.quads, self.side = cells, numpy.arange(len(cells)) // parts
-        if points.shape[1] == 3:
+        if cells.shape[1] == 8:
             self.quads = cells[:, FACES].reshape(-1, 4)
             self.side = (6 * self.side[:, None] + numpy.arange(6)).ravel()
             group, count = groups(numpy.sort(self.quads, axis=1))

@@ -6,7 +6,7 @@ class FieldData {
   constructor(packed) {
     Object.assign(this, packed);
     this.names = ["displacement_1", "displacement_2", "displacement_3"]
-      .slice(0, this.dimension);
+      .slice(0, this.still ? 0 : this.dimension);
   }
 
   static async inflate(text) {
@@ -31,11 +31,21 @@ class FieldData {
     this.quads = await FieldData.numbers(this.quads, 4);
     for (let i = 0; i < this.quads.length; ++i)
       this.quads[i] = FieldData.signed(this.quads[i]) + (i < 4 ? 0 : this.quads[i - 4]);
+    if (this.per_quad) this.separate();
     this.marks = await FieldData.numbers(this.marks, 1);
     const heights = (points) =>
       points.reduce((sum, i) => sum + this.rest[3 * i + 1], 0) / points.length;
     this.lip = (this.component("contact_pressure") || { lip: [] }).lip;
     this.lipBelow = heights(this.lip) < heights([...Array(this.count).keys()]);
+  }
+
+  // Gives each quadrilateral points of its own: values may jump between them.
+  separate() {
+    this.vertices = this.rest;
+    this.corners = this.quads;
+    this.count = this.quads.length;
+    this.rest = this.vectors((i, k) => this.vertices[3 * this.corners[i] + k]);
+    this.quads = this.quads.map((_, i) => i);
   }
 
   static signed(z) { return (z >>> 1) ^ -(z & 1); }
@@ -53,12 +63,13 @@ class FieldData {
     const { low, quantum, values } = this.component(name);
     const q = await FieldData.numbers(values[instant], 2);
     for (let i = 0, last = 0; i < q.length; ++i) q[i] = last = (last + FieldData.signed(q[i])) & 65535;
-    return Float32Array.from(q, (x) => low + quantum * x);
+    if (!this.per_quad) return Float32Array.from(q, (x) => low + quantum * x);
+    return Float32Array.from(this.quads, (i) => low + quantum * q[i >> 2]);
   }
 
   async displacement(instant) {
     const parts = await Promise.all(this.names.map((name) => this.values(name, instant)));
-    return this.vectors((i, k) => parts[k][i]);
+    return this.vectors((i, k) => (this.still ? 0 : parts[k][i]));
   }
 
   // Pairs of points at the edges of cells (bit 0) or of the outline (bit 4).

@@ -27,7 +27,7 @@ const BANDS = `
     vec3 colour = texture2D(palette, vec2((band + 0.5) / bands, 0.5)).rgb;
     float line = abs(x - floor(x + 0.5)) / max(fwidth(x), 1e-6);
     if (abs(v) <= zero && fwidth(v) <= zero) colour = vec3(0.97);  // no more than rounding
-    else if (x > 0.5 && x < bands - 0.5) colour *= mix(0.72, 1.0, clamp(line, 0.0, 1.0));
+    else if (x > 0.5 && x < bands - 0.5 && fwidth(x) > 1e-5) colour *= mix(0.72, 1.0, clamp(line, 0.0, 1.0));
     vec3 normal = normalize(cross(dFdx(place), dFdy(place)));
     float light = 0.84 + 0.16 * abs(dot(normal, normalize(vec3(0.2, 0.5, 1.0))));
     gl_FragColor = vec4(mix(1.0, light, shaded) * colour, 1.0);
@@ -114,8 +114,8 @@ class FieldScene {
   placeCamera() {
     const { data } = this;
     const low = [0, 0, 0], high = [0, 0, 0];
-    data.names.forEach((name, k) => {
-      const moved = data.component(name);
+    for (let k = 0; k < data.dimension; ++k) {
+      const moved = data.component(data.names[k]) || { low: 0, quantum: 0 };
       low[k] = Infinity;
       high[k] = -Infinity;
       for (let i = k; i < data.rest.length; i += 3) {
@@ -124,7 +124,7 @@ class FieldScene {
       }
       low[k] += data.factor * Math.min(0, moved.low);
       high[k] += data.factor * Math.max(0, moved.low + 65535 * moved.quantum);
-    });
+    }
     this.box = new THREE.Box3(new THREE.Vector3(...low), new THREE.Vector3(...high));
     const size = this.box.getSize(new THREE.Vector3()).length();
     this.camera = new THREE.OrthographicCamera(-1, 1, 1, -1, 0, 6 * size);
@@ -173,7 +173,11 @@ class FieldScene {
     this.draw();
   }
 
-  draw() { this.renderer.render(this.scene, this.camera); }
+  draw() {
+    this.camera.updateMatrixWorld();
+    if (this.beforeDraw) this.beforeDraw();
+    this.renderer.render(this.scene, this.camera);
+  }
 
   fill(name, values, size) {
     this.nodes.attributes[name].copyArray(values).needsUpdate = true;

@@ -24,8 +24,10 @@ class FieldView {
     part("component").addEventListener("change", () => this.update());
     part("instant").addEventListener("input", () => this.update());
     part("factor").addEventListener("input", () => this.deform());
+    const showCells = () => { this.scene.cells.visible = part("cells").checked; };
+    showCells();
     part("cells").addEventListener("change", () => {
-      this.scene.cells.visible = part("cells").checked;
+      showCells();
       this.scene.draw();
     });
     part("reset").addEventListener("click", () => this.scene.reset());
@@ -64,7 +66,8 @@ class FieldView {
     const words = `t = ${number(t)} = ${number(t / data.period, 4)} T`;
     part("time").textContent = words;
     part("instant").setAttribute("aria-valuetext", words);
-    part("canvas").setAttribute("aria-label", `${component.label} on the deformed body at ${words}`);
+    part("canvas").setAttribute("aria-label", `${component.label} on the ` +
+      (data.still ? "body at rest" : `deformed body at ${words}`));
   }
 
   deform() {
@@ -79,7 +82,7 @@ class FieldView {
   // The largest at the top; triangles where values go beyond the levels.
   drawBar({ label, levels, colours, low, quantum, names }) {
     const bar = this.part("bar");
-    const beyond = [levels[0] > low + quantum, levels[levels.length - 1] < low + 65534 * quantum];
+    const beyond = names ? [] : [levels[0] > low + quantum, levels[levels.length - 1] < low + 65534 * quantum];
     const step = levels[1] - levels[0];
     const power = Math.floor(Math.log10(Math.max(...levels.map(Math.abs))) + 1e-9);
     const scaled = power < -2 || power > 4;
