@@ -43,6 +43,8 @@ main(int argc, char **argv)
       return run_script_command(words);
   if (words.size() > 3 && words[1] == "evaluate")
     return evaluate(words);
+  if (words.size() > 3 && words[1] == "growth")
+    return print_growth(words);
   const std::vector<int> ignored = ignored_signals();
   // A request for a checkpoint before the run can write one must not end the
   // program.

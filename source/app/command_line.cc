@@ -45,6 +45,7 @@ Exit status:
   crevasse report DIR              one page of the results
   crevasse sweep --help            results over parameters; what accuracy costs
   crevasse advise --help           the cheapest settings for an accuracy
+  crevasse life --help             how a crack grows, with the error
   crevasse --help                  all options
 
 doc/getting_started.md tells more.

@@ -10,6 +10,7 @@
 #include <crevasse/base/text_file.h>
 #include <crevasse/base/version.h>
 #include <crevasse/checkpoint/scene_difference.h>
+#include <crevasse/crack_tip/growth_law.h>
 #include <crevasse/parameters/scene_file.h>
 #include <crevasse/simulation/adaptive_run.h>
 #include <crevasse/simulation/mesh_picture.h>
@@ -302,6 +303,31 @@ namespace Crevasse
       {
         std::cerr << error.what() << std::endl;
         return bad_input;
+      }
+  }
+
+
+
+  int
+  print_growth(const std::vector<std::string> &words)
+  {
+    try
+      {
+        std::vector<std::string> of_scene = words; // "growth", FILE
+        of_scene.erase(of_scene.begin() + 1, of_scene.begin() + 3);
+        dealii::ParameterHandler prm;
+        const Scene scene = read_scene(parse_command_line(of_scene), prm);
+        const CrackTipParameters &law = scene.crack_tip;
+        for (const CrackGrowth &growth :
+             growth_of_histories(law, scene.loads.period, words.at(2)))
+          std::cout << Text::from_number(growth.fatigue) << ' '
+                    << Text::from_number(growth.creep) << '\n';
+        return done;
+      }
+    catch (const std::exception &error)
+      {
+        std::cerr << "crevasse: " << error.what() << std::endl;
+        return exit_status_of(error);
       }
   }
 

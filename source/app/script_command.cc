@@ -45,7 +45,10 @@ namespace Crevasse
       {"advise",
        "Find the cheapest settings of a scene that reach an error; write them "
        "as a scene"},
-      {"report", "Make one page of the results of a run or a sweep"},
+      {"life",
+       "Compute how a crack grows: its length over the number of periods, with "
+       "the error"},
+      {"report", "Make one page of the results of a run, a sweep or a life"},
       {"figures", "Draw the figures of a run or a sweep"},
       {"mesh",
        "Convert a mesh file of another program, with its groups, to a Gmsh "
@@ -106,7 +109,7 @@ namespace Crevasse
     std::cerr << "crevasse " << name << ": cannot start "
               << CREVASSE_PYTHON
       ". Install Debian's packages python3-jinja2, "
-      "python3-matplotlib and python3-meshio.\n";
+      "python3-matplotlib, python3-meshio and python3-scipy.\n";
     return file_failure;
   }
 

@@ -96,7 +96,9 @@ namespace Crevasse
     std::ostringstream text;
     prm.print_parameters(text, dealii::ParameterHandler::ShortJSON);
     Summary scene = Summary::parse(text.str());
-    for (const char *pointer : {"/Geometry/Mesh file", "/Loads/Temperature"})
+    for (const char *pointer : {"/Geometry/Mesh file",
+                                "/Loads/Temperature",
+                                "/Crack tip/Growth table"})
       {
         const Summary::json_pointer place(pointer);
         const std::string           name =

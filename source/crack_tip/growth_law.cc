@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Crevasse authors
 
+#include <crevasse/base/csv_columns.h>
 #include <crevasse/base/text.h>
 #include <crevasse/crack_tip/growth_law.h>
 
@@ -11,6 +12,54 @@ namespace Crevasse
 {
   namespace
   {
+    double
+    walker_growth(const CrackTipParameters &law,
+                  const double              range,
+                  const TipHistory         &history)
+    {
+      const double m = law.paris_exponent, K_th = law.paris_threshold;
+      if (range <= K_th || range == 0.)
+        return 0.;
+      double growth = law.paris_factor * std::pow(range, m) *
+                      std::pow(history.range / history.largest, // 1 − R
+                               (law.walker_exponent - 1.) * m);
+      if (K_th > 0. && law.threshold_exponent > 0.)
+        growth *= -std::expm1(law.threshold_exponent * (1. - range / K_th));
+      if (law.toughness == 0.)
+        return growth;
+      const double rest  = 1. - history.largest / law.toughness,
+                   delta = law.toughness_exponent;
+      if (rest <= 0.)
+        return std::numeric_limits<double>::infinity();
+      return growth / (delta > 0. ? -std::expm1(-delta * rest) : rest);
+    }
+
+
+
+    double
+    fatigue_growth(const CrackTipParameters &law, const TipHistory &history)
+    {
+      const double range = law.growth_range == GrowthRange::whole
+                             ? history.range
+                             : history.effective_range;
+      switch (traits(law.growth_law).fatigue)
+        {
+          case FatigueLaw::paris: // NaN propagates
+            return law.paris_factor *
+                   std::pow(std::max(range - law.paris_threshold, 0.),
+                            law.paris_exponent);
+          case FatigueLaw::walker:
+            return walker_growth(law, range, history);
+          case FatigueLaw::table:
+            return law.table->growth(range,
+                                     1. - history.range / history.largest);
+          default:
+            return 0.;
+        }
+    }
+
+
+
     double
     creep_growth(const CrackTipParameters &law, const TipHistory &history)
     {
@@ -47,14 +96,28 @@ namespace Crevasse
   std::string
   describe_growth_law(const CrackTipParameters &law)
   {
-    const auto &parts = traits(law.growth_law);
-    std::string text;
-    if (parts.has_paris_part)
-      text = "da/dN = " + Text::from_number(law.paris_factor) +
-             (law.paris_threshold > 0.
-                ? " (dK - " + Text::from_number(law.paris_threshold) + ")"
-                : " dK") +
-             "^" + Text::from_number(law.paris_exponent);
+    const auto       &parts = traits(law.growth_law);
+    std::string       text;
+    const std::string range =
+      law.growth_range == GrowthRange::whole ? "dK" : "dK_eff";
+    const std::string C =
+                        "da/dN = " + Text::from_number(law.paris_factor) + " ",
+                      m = "^" + Text::from_number(law.paris_exponent);
+    if (parts.fatigue == FatigueLaw::paris)
+      text =
+        C +
+        (law.paris_threshold > 0.
+           ? "(" + range + " - " + Text::from_number(law.paris_threshold) + ")"
+           : range) +
+        m;
+    else if (parts.fatigue == FatigueLaw::walker)
+      text = C + range + m + (law.walker_exponent != 1. ? " f_R" : "") +
+             (law.paris_threshold > 0. ? " f_th" : "") +
+             (law.toughness > 0. ? " / f_c" : "");
+    else if (parts.fatigue == FatigueLaw::table)
+      text = "da/dN of " +
+             law.growth_table.substr(law.growth_table.rfind('/') + 1) +
+             " for " + range;
     if (parts.has_creep_part)
       text += (text.empty() ? "da/dt = " : ", and da/dt = ") +
               Text::from_number(law.creep_factor) + " " +
@@ -67,16 +130,44 @@ namespace Crevasse
 
 
 
-  double
+  CrackGrowth
   growth_over_period(const CrackTipParameters &law, const TipHistory &history)
   {
-    const auto &parts = traits(law.growth_law);
-    return (parts.has_paris_part // NaN propagates
-              ? law.paris_factor *
-                  std::pow(std::max(history.range - law.paris_threshold, 0.),
-                           law.paris_exponent)
-              : 0.) +
-           (parts.has_creep_part ? creep_growth(law, history) : 0.);
+    return {fatigue_growth(law, history),
+            traits(law.growth_law).has_creep_part ? creep_growth(law, history)
+                                                  : 0.};
+  }
+
+
+
+  std::vector<CrackGrowth>
+  growth_of_histories(const CrackTipParameters &law,
+                      const double              period,
+                      const std::string        &file_name)
+  {
+    const auto columns = read_csv_columns(file_name, {});
+    TipHistory history;
+    if (columns.count("t") > 0)
+      {
+        history.instants       = columns.at("t");
+        const bool is_of_K     = columns.count("K") > 0;
+        history.intensity      = columns.at(is_of_K ? "K" : "C_t");
+        history.creep_integral = history.intensity;
+        return {growth_over_period(law, history)};
+      }
+    history.instants = {0., period};
+    std::vector<CrackGrowth> growth;
+    for (std::size_t k = 0; k < columns.at("K_max").size(); ++k)
+      {
+        history.largest         = columns.at("K_max")[k];
+        history.range           = columns.at("Delta_K")[k];
+        history.effective_range = columns.at("Delta_K_eff")[k];
+        history.c_star          = columns.at("C_star")[k];
+        // What drives creep, if not C*, has a history of its own.
+        history.intensity = history.creep_integral = {0., 0.};
+        growth.push_back(growth_over_period(law, history));
+      }
+    return growth;
   }
 
 
@@ -91,15 +182,18 @@ namespace Crevasse
     if (law.growth_law == GrowthLawType::none)
       return;
     const std::string text   = describe_growth_law(law);
-    const double      growth = growth_over_period(law, history);
+    const CrackGrowth parts  = growth_over_period(law, history);
+    const double      growth = parts.total();
     tip["growth_law"]        = text;
     tip["da_dN"]             = growth; // null if not finite
+    tip["da_dN_fatigue"]     = parts.fatigue;
+    tip["da_dN_creep"]       = parts.creep;
     if (!std::isfinite(growth))
       tip["no_da_dN"] = "the growth law gives no finite growth";
     tip["da_dt"] = growth / history.period();
     log.line(title + "grows by " + Text::from_number(growth, 5) +
              " a period (" + text +
-             (traits(law.growth_law).has_paris_part
+             (traits(law.growth_law).fatigue != FatigueLaw::none
                 ? "; in dK, K < 0 counts as 0)"
                 : ")"));
   }

@@ -332,11 +332,12 @@ namespace Crevasse
                      is_of_C_of_t,
                    "Crack growth law",
                    "needs Stress intensity = true");
-    checker.demand(!is_of_C_of_t || (creep_integral && !law.has_paris_part),
+    const bool has_fatigue = law.fatigue != FatigueLaw::none;
+    checker.demand(!is_of_C_of_t || (creep_integral && !has_fatigue),
                    "Creep growth parameter",
                    "C(t) needs Creep integral = true and Crack growth law = "
                    "creep");
-    checker.demand(!law.has_paris_part ||
+    checker.demand(!has_fatigue || law.fatigue == FatigueLaw::table ||
                      Ranges::coefficient.contains(paris_factor),
                    "Paris factor",
                    Ranges::coefficient.text());
@@ -344,6 +345,28 @@ namespace Crevasse
                      Ranges::coefficient.contains(creep_factor),
                    "Creep factor",
                    Ranges::coefficient.text());
+  }
+
+
+
+  void
+  CrackTipParameters::read_table(Problems &problems)
+  {
+    if (traits(growth_law).fatigue != FatigueLaw::table)
+      return;
+    const Checker checker(section, problems);
+    checker.demand(!growth_table.empty(),
+                   "Growth table",
+                   "must be a file where the growth law is a table");
+    try
+      {
+        if (!growth_table.empty())
+          table = std::make_shared<const GrowthTable>(growth_table);
+      }
+    catch (const std::exception &error)
+      {
+        checker.demand(false, "Growth table", error.what());
+      }
   }
 
 

@@ -276,22 +276,51 @@ namespace Crevasse
       "larger disc.",
       not_negative);
     add_selection("Crack growth law", growth_law, prm);
+    add_selection("Growth range", growth_range, prm);
     prm.add_parameter(
       "Paris factor",
       paris_factor,
-      "Factor C of the Paris law: growth per period at dK - dK_th = 1, in "
-      "units of length / (stress sqrt(length))^m. Allowed: a number greater "
-      "than 0 where it is used",
+      "Factor C of the laws of Paris and Walker: growth per period at dK - "
+      "dK_th = 1, in units of length / (stress sqrt(length))^m. Allowed: a "
+      "number greater than 0 where it is used",
       not_negative);
     prm.add_parameter("Paris exponent",
                       paris_exponent,
-                      "Exponent m of the Paris law.",
+                      "Exponent m of the laws of Paris and Walker.",
                       NumberPattern(Ranges::positive));
     prm.add_parameter("Paris threshold",
                       paris_threshold,
-                      "Threshold dK_th of the Paris law, in units of stress "
-                      "sqrt(length); below it the crack does not grow.",
+                      "Threshold dK_th of the laws of Paris and Walker, in "
+                      "units of stress sqrt(length); below it the crack does "
+                      "not grow.",
                       not_negative);
+    prm.add_parameter("Walker exponent",
+                      walker_exponent,
+                      "Exponent w in the factor f_R = (1 - R)^(-(1 - w) m) of "
+                      "Walker's law; with 1 R has no influence.",
+                      not_negative);
+    prm.add_parameter("Threshold exponent",
+                      threshold_exponent,
+                      "Number e in the factor f_th = 1 - exp(e (1 - "
+                      "dK/dK_th)) of Walker's law; 0: f_th is 1 above the "
+                      "threshold.",
+                      not_negative);
+    prm.add_parameter("Fracture toughness",
+                      toughness,
+                      "Intensity K_c at which the crack runs through, in units "
+                      "of stress sqrt(length), for crevasse life and for "
+                      "Walker's factor f_c; 0: none.",
+                      not_negative);
+    prm.add_parameter("Toughness exponent",
+                      toughness_exponent,
+                      "Number d in the factor f_c = 1 - exp(d (K_max/K_c - 1)) "
+                      "of Walker's law; 0: f_c is Forman's 1 - K_max/K_c.",
+                      not_negative);
+    prm.add_parameter("Growth table",
+                      growth_table,
+                      "CSV file with the columns Delta_K, R and da_dN of "
+                      "measured growth, next to the scene file or in the "
+                      "working directory.");
     add_selection("Creep growth parameter", creep_parameter, prm);
     prm.add_parameter(
       "Creep factor",

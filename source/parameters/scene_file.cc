@@ -274,6 +274,13 @@ namespace Crevasse
                    "Temperature",
                    scene.loads.temperature.text(),
                    prm);
+    if (!scene.crack_tip.growth_table.empty())
+      resolve_file(file_name,
+                   CrackTipParameters::section,
+                   "Growth table",
+                   scene.crack_tip.growth_table,
+                   prm);
+    scene.crack_tip.read_table(problems);
     find_converted_mesh(scene.geometry, problems);
     replace_boundary_names(scene, problems);
     for (const auto &[name, text] :

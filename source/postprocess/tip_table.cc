@@ -327,35 +327,19 @@ namespace Crevasse
   void
   TipTable::summarise_growth(Summary &tip) const
   {
-    const auto [least, most] = range(opening_of);
-    tip["Delta_K"]           = equivalent_range(most - least);
-    context.log.line(title + "Delta K " +
-                     Text::from_number(equivalent_range(most - least), 6) +
+    TipHistory growing = history();
+    tip["Delta_K"]     = growing.range;
+    context.log.line(title + "Delta K " + Text::from_number(growing.range, 6) +
                      (context.closure != nullptr && instants.size() > 1
-                        ? summarise_closure(tip)
+                        ? summarise_closure(growing, tip)
                         : ""));
-    analysis.summarise_growth(history(), title, tip, context.log);
-  }
-
-
-
-  TipHistory
-  TipTable::history() const
-  {
-    const auto [least, most] = range(opening_of);
-    TipHistory history;
-    history.instants = instants;
-    for (const TipValues &values : of_last_period)
-      history.intensity.push_back(values.equivalent);
-    history.range  = equivalent_range(std::max(most, 0.) - std::max(least, 0.));
-    history.c_star = analysis.c_star(context.flow);
-    return history;
+    analysis.summarise_growth(growing, title, tip, context.log);
   }
 
 
 
   std::string
-  TipTable::summarise_closure(Summary &tip) const
+  TipTable::summarise_closure(TipHistory &history, Summary &tip) const
   {
     const std::vector<LipMoment> lip = context.closure->lip_at(place.position);
     const auto [wholly, partly]      = closed_parts(lip);
@@ -371,7 +355,8 @@ namespace Crevasse
     if (opens.why_not.empty())
       opens.why_not = context.closure->failure;
     tip["K_opening"] = tip["opening_ratio"] = Summary();
-    tip["Delta_K_eff"] = wholly + partly == 0. ? tip["Delta_K"] : Summary();
+    if (wholly + partly > 0.)
+      history.effective_range = TipHistory::not_known;
     tip["closed_part"] = {{"wholly", wholly}, {"partly", partly}};
     std::string line   = ", no K_op: " + opens.why_not;
     if (opens.why_not.empty())
@@ -379,15 +364,17 @@ namespace Crevasse
         const auto at =
           std::find(instants.begin(), instants.end(), opens.instant);
         const double K_op = opening_of(of_last_period[at - instants.begin()]);
-        const double effective = equivalent_range(most - K_op);
-        tip["K_opening"]       = K_op;
-        tip["Delta_K_eff"]     = effective;
+        tip["K_opening"]  = K_op;
         if (most > 0.)
           tip["opening_ratio"] = K_op / most;
-        line = Text::format(", Delta K_eff %.6g, K_op %.4g", effective, K_op);
+        history.effective_range = equivalent_range(most - K_op);
+        line                    = Text::format(", Delta K_eff %.6g, K_op %.4g",
+                            history.effective_range,
+                            K_op);
       }
     else
       tip["no_K_opening"] = opens.why_not;
+    tip["Delta_K_eff"] = history.effective_range; // null if not known
     line += Text::format("; lip wholly closed for %.1f %% of the period",
                          100. * wholly);
     return partly < 5e-4 // prints as 0.0 %

@@ -25,6 +25,13 @@ namespace Crevasse
    * @return the exit status. */
   int
   evaluate(const std::vector<std::string> &words);
+
+  /** `crevasse growth FILE SCENE [--set ...]`: prints growth by fatigue and by
+   * creep over a period, a line for each row of the file, to the Python
+   * package; see growth_of_histories().
+   * @return the exit status. */
+  int
+  print_growth(const std::vector<std::string> &words);
 } // namespace Crevasse
 
 #endif

@@ -17,12 +17,16 @@ namespace Crevasse
   /** History of a crack tip in the last period. */
   struct TipHistory
   {
-    std::vector<double>   instants;       ///< instants from 0 to the period
-    std::vector<double>   intensity;      ///< K_I, or an equivalent K
-    std::vector<double>   creep_integral; ///< C(t) at instants; nan: unknown
-    std::optional<double> c_star;         ///< C* of the steady flow, if known
-    /** Range ΔK, with K_I < 0 counted as 0. */
-    double range = std::numeric_limits<double>::quiet_NaN();
+    std::vector<double>     instants;       ///< instants from 0 to the period
+    std::vector<double>     intensity;      ///< K_I, or an equivalent K
+    std::vector<double>     creep_integral; ///< C(t) at instants; nan: unknown
+    std::optional<double>   c_star;         ///< C* of the steady flow, if known
+    static constexpr double not_known =
+      std::numeric_limits<double>::quiet_NaN();
+    // Negative K count as 0, except K_op.
+    double largest         = not_known; ///< K_max
+    double range           = not_known; ///< ΔK = K_max − K_min
+    double effective_range = not_known; ///< ΔK_eff = K_max − K_op
 
     double
     period() const
@@ -31,26 +35,59 @@ namespace Crevasse
     }
   };
 
+  /** Growth of a crack over a period by the parts of a law, in units of length;
+   * nan if the history lacks data that the law needs. */
+  struct CrackGrowth
+  {
+    double fatigue = 0.;
+    double creep   = 0.;
+
+    double
+    total() const
+    {
+      return fatigue + creep;
+    }
+  };
+
   /** Describes the law for log and summary; empty without a law. */
   std::string
   describe_growth_law(const CrackTipParameters &law);
 
   /**
-   * Growth da/dN of the crack over the period, the sum of the parts of the law:
+   * Growth da/dN of the crack over the period, by the parts of the law:
    *
    * - da/dN = C (ΔK − ΔK_th)^m above the threshold (Paris, Erdogan, J. Basic
    *   Eng. 85, 1963; with a threshold: Donahue et al., Int. J. Fract. Mech. 8,
    *   1972);
+   * - da/dN = C ΔK^m (1 − R)^(−(1−w)m) f_th/f_c (Walker, ASTM STP 462, 1970,
+   *   with the factors of CalculiX), R = 1 − ΔK/K_max, f_th = 1 − exp(ε(1 −
+   *   ΔK/ΔK_th)) and f_c = 1 − exp(δ(K_max/K_c − 1)), or without ε and δ f_th =
+   *   1 and f_c = 1 − K_max/K_c (Forman et al., J. Basic Eng. 89, 1967);
+   *   infinite from K_c on;
+   * - a GrowthTable;
    * - da/dt = D C*^φ over the whole period, or D K(t)^φ or D C(t)^φ by the
    *   trapezoidal rule over the steps. Where C(t) is not known yet, as after a
    *   jump, it is taken to be what it is next, in the next period if need be;
    *   before one, what it was last.
    *
-   * Growth is nan if the history lacks data that the law needs. A closed crack
-   * has K = 0, and a crack that is being closed C(t) = 0.
+   * ΔK is ΔK_eff if the law's Growth range is that. A closed crack has K = 0,
+   * and a crack that is being closed C(t) = 0.
    */
-  double
+  CrackGrowth
   growth_over_period(const CrackTipParameters &law, const TipHistory &history);
+
+  /**
+   * Growth over periods whose histories are the rows of a CSV file, with the
+   * columns K_max, Delta_K, Delta_K_eff and C_star. With the columns t and K,
+   * or t and C_t, the file has one history of what drives creep; fatigue is
+   * then nan.
+   *
+   * @throw SceneError, FileError as read_csv_columns().
+   */
+  std::vector<CrackGrowth>
+  growth_of_histories(const CrackTipParameters &law,
+                      const double              period,
+                      const std::string        &file_name);
 
   /** Adds the growth_over_period() to the summary of a tip and to the log;
    * nothing without a law.

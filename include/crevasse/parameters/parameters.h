@@ -6,6 +6,7 @@
 
 #include <crevasse/base/problems.h>
 #include <crevasse/parameters/boundary_roles.h>
+#include <crevasse/parameters/crack_tip_parameters.h>
 #include <crevasse/parameters/field_times.h>
 #include <crevasse/parameters/formulas.h>
 #include <crevasse/parameters/probe_list.h>
@@ -331,50 +332,6 @@ namespace Crevasse
     add_parameters(dealii::ParameterHandler &prm);
     void
     check(Problems &problems) const;
-  };
-
-  /** Parameters of section Crack tip: stress intensity and growth laws. */
-  struct CrackTipParameters
-  {
-    static constexpr const char *section = "Crack tip";
-
-    StressIntensityChoice stress_intensity = StressIntensityChoice::automatic;
-    bool                  creep_integral   = false;
-    StressIntensityMethod method           = StressIntensityMethod::automatic;
-    /** Half the side of the square of the integral around the tip, or twice the
-     * radius of the smaller disc of the fit; 0: automatic. */
-    double radius = 0.;
-
-    GrowthLawType growth_law = GrowthLawType::none;
-    // Paris law: da/dN = C (ΔK − ΔK_th)^m or, without a threshold, C ΔK^m.
-    double paris_factor    = 0.;
-    double paris_exponent  = 3.;
-    double paris_threshold = 0.;
-    /** Quantity P that drives creep growth, da/dt = D P^φ. */
-    CreepParameter creep_parameter = CreepParameter::C_star;
-    double         creep_factor    = 0.;
-    double         creep_exponent  = 1.;
-
-    void
-    add_parameters(dealii::ParameterHandler &prm);
-    void
-    check(Problems &problems) const;
-
-    /** Whether C(t) drives the growth. */
-    bool
-    grows_by_C_of_t() const;
-
-    /** Whether K is requested, by itself or for the growth. */
-    bool
-    needs_stress_intensity() const;
-
-    /** Whether K is required: requested, or its radius or method is given. */
-    bool
-    demands_stress_intensity() const
-    {
-      return needs_stress_intensity() || radius > 0. ||
-             method != StressIntensityMethod::automatic;
-    }
   };
 
   struct OutputParameters

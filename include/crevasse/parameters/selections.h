@@ -238,12 +238,25 @@ namespace Crevasse
       "anisotropic or discontinuous.";
   };
 
+  /** Part of a growth law that depends on the range of K. */
+  enum class FatigueLaw
+  {
+    none,
+    paris,
+    walker,
+    table
+  };
+
   enum class GrowthLawType
   {
     none,
     paris,
+    walker,
+    table,
     creep,
-    sum
+    sum,
+    walker_and_creep,
+    table_and_creep
   };
 
   template <>
@@ -253,17 +266,47 @@ namespace Crevasse
     {
       GrowthLawType value;
       const char   *name;
-      bool          has_paris_part;
+      FatigueLaw    fatigue;
       bool          has_creep_part;
     };
-    static constexpr Row rows[] = {{GrowthLawType::none, "none", false, false},
-                                   {GrowthLawType::paris, "paris", true, false},
-                                   {GrowthLawType::creep, "creep", false, true},
-                                   {GrowthLawType::sum, "sum", true, true}};
+    static constexpr Row rows[] = {
+      {GrowthLawType::none, "none", FatigueLaw::none, false},
+      {GrowthLawType::paris, "paris", FatigueLaw::paris, false},
+      {GrowthLawType::walker, "walker", FatigueLaw::walker, false},
+      {GrowthLawType::table, "table", FatigueLaw::table, false},
+      {GrowthLawType::creep, "creep", FatigueLaw::none, true},
+      {GrowthLawType::sum, "sum", FatigueLaw::paris, true},
+      {GrowthLawType::walker_and_creep,
+       "walker and creep",
+       FatigueLaw::walker,
+       true},
+      {GrowthLawType::table_and_creep,
+       "table and creep",
+       FatigueLaw::table,
+       true}};
     static constexpr const char *meaning =
       "Law of the crack's growth. \"paris\": da/dN = C (dK - dK_th)^m; "
-      "\"creep\": da/dt = D P^phi, where P is the Creep growth parameter; "
-      "\"sum\": both.";
+      "\"walker\": da/dN = C dK^m f_R f_th / f_c, with factors for R = "
+      "K_min/K_max, the threshold and the toughness; \"table\": the Growth "
+      "table; \"creep\": da/dt = D P^phi, where P is the Creep growth "
+      "parameter; \"sum\": paris and creep.";
+  };
+
+  enum class GrowthRange
+  {
+    whole,
+    effective
+  };
+
+  template <>
+  struct Selection<GrowthRange>
+  {
+    static constexpr NamedValue<GrowthRange> rows[] = {
+      {GrowthRange::whole, "Delta K"},
+      {GrowthRange::effective, "Delta K eff"}};
+    static constexpr const char *meaning =
+      "Range dK of the laws of fatigue: K_max - K_min, where K < 0 counts as "
+      "0, or K_max - K_op, in which the lip is open.";
   };
 
   enum class CreepParameter

@@ -100,10 +100,12 @@ namespace Crevasse
       std::vector<PeriodNumber> all = {
         {"K_I_largest" + number, [this, K] { return largest(K); }},
         {"K_I_smallest" + number, [this, K] { return range(K).first; }}};
+      // The lip is only looked at in the last period.
       if (law.growth_law != GrowthLawType::none &&
+          law.growth_range == GrowthRange::whole &&
           law.creep_parameter != CreepParameter::C_of_t)
         all.emplace_back("da_dN" + number, [this, &law] {
-          return growth_over_period(law, history());
+          return growth_over_period(law, history()).total();
         });
       return all;
     }
@@ -180,17 +182,32 @@ namespace Crevasse
 
     /** What growth depends on in the last period, except C(t). */
     TipHistory
-    history() const;
+    history() const
+    {
+      TipHistory history;
+      history.instants = instants;
+      for (const TipValues &values : of_last_period)
+        history.intensity.push_back(values.equivalent);
+      const auto [least, most] =
+        range([](const TipValues &v) { return v.intensity[0]; });
+      history.largest =
+        std::max(largest([](const TipValues &v) { return v.equivalent; }), 0.);
+      history.range =
+        equivalent_range(std::max(most, 0.) - std::max(least, 0.));
+      history.effective_range = history.range;
+      history.c_star          = analysis.c_star(context.flow);
+      return history;
+    }
 
     /** Adds ΔK, K_op, ΔK_eff, C* and growth to the summary. */
     void
     summarise_growth(Summary &tip) const;
 
     /** Adds the opening intensity K_op (Elber, ASTM STP 486, 1971), ΔK_eff, and
-     * the fraction of the period with a closed lip. Returns the end of a line
-     * for the log. Collective. */
+     * the fraction of the period with a closed lip, and sets ΔK_eff of the
+     * history. Returns the end of a line for the log. Collective. */
     std::string
-    summarise_closure(Summary &tip) const;
+    summarise_closure(TipHistory &history, Summary &tip) const;
 
     const CrackTipAnalysis &analysis;
     const TipContext        context;

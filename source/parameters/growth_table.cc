@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Crevasse authors
+
+#include <crevasse/base/csv_columns.h>
+#include <crevasse/base/problems.h>
+#include <crevasse/base/text.h>
+#include <crevasse/parameters/growth_table.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace Crevasse
+{
+  namespace
+  {
+    constexpr double outside  = std::numeric_limits<double>::quiet_NaN();
+    constexpr double rounding = 1e-9;
+  } // namespace
+
+
+
+  GrowthTable::GrowthTable(const std::string &file_name)
+  {
+    const auto columns = read_csv_columns(file_name, {"Delta_K", "R", "da_dN"});
+    const auto &range = columns.at("Delta_K"), &ratio = columns.at("R"),
+               &growth = columns.at("da_dN");
+    for (std::size_t k = 0; k < range.size(); ++k)
+      {
+        Curve     &curve  = curves[ratio[k]];
+        const auto demand = [&](const bool fulfilled, const char *why) {
+          if (!fulfilled)
+            throw SceneError(
+              file_name + ": at R = " + Text::from_number(ratio[k]) +
+              ", Delta_K = " + Text::from_number(range[k]) + ": " + why);
+        };
+        demand(ratio[k] < 1., "R must be less than 1");
+        demand(range[k] > 0. &&
+                 (curve.ranges.empty() || range[k] > curve.ranges.back()),
+               "Delta_K must be positive and ascend at each R");
+        demand(growth[k] > 0. || (growth[k] == 0. && curve.ranges.empty()),
+               "da_dN must be positive; only the first of an R may be 0, at "
+               "the threshold");
+        curve.ranges.push_back(range[k]);
+        curve.growth.push_back(growth[k]);
+      }
+    for (const auto &[R, curve] : curves)
+      if (curve.ranges.size() < 2)
+        throw SceneError(file_name + ": there is one row for R = " +
+                         Text::from_number(R) + "; each R needs at least two");
+  }
+
+
+
+  double
+  GrowthTable::Curve::at(const double range) const
+  {
+    if (growth[0] == 0. && range <= ranges[0])
+      return 0.;
+    if (!(range >= ranges[0] * (1. - rounding) &&
+          range <= ranges.back() * (1. + rounding)))
+      return outside;
+    const std::size_t k = std::clamp<std::size_t>(
+      std::lower_bound(ranges.begin(), ranges.end(), range) - ranges.begin(),
+      1,
+      ranges.size() - 1);
+    if (growth[k - 1] == 0.) // a logarithm has no threshold
+      return growth[k] * (range - ranges[k - 1]) / (ranges[k] - ranges[k - 1]);
+    const double part =
+      std::log(range / ranges[k - 1]) / std::log(ranges[k] / ranges[k - 1]);
+    return growth[k - 1] * std::pow(growth[k] / growth[k - 1], part);
+  }
+
+
+
+  double
+  GrowthTable::growth(const double range, const double ratio) const
+  {
+    if (curves.size() == 1)
+      return curves.begin()->second.at(range);
+    const auto above =
+      std::find_if(curves.begin(), curves.end(), [ratio](const auto &curve) {
+        return curve.first >= ratio - rounding;
+      });
+    if (above == curves.end())
+      return outside;
+    const double upper = above->second.at(range);
+    if (std::abs(above->first - ratio) <= rounding)
+      return upper;
+    if (above == curves.begin())
+      return outside;
+    const auto  &below = *std::prev(above);
+    const double lower = below.second.at(range);
+    const double part  = (ratio - below.first) / (above->first - below.first);
+    // Below the threshold of one curve, ln(0) would win.
+    return lower > 0. && upper > 0. ? lower * std::pow(upper / lower, part)
+                                    : (1. - part) * lower + part * upper;
+  }
+} // namespace Crevasse
