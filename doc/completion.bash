@@ -56,7 +56,7 @@ _crevasse()
       _crevasse_add -d -- "$word" ;;
     --print-parameters)
       _crevasse_add -W "prm json markdown schema" -- "$word" ;;
-    --wall-time | --exact | --error | --jobs) ;;
+    --wall-time | --exact | --error | --jobs | --from | --to | --lengths) ;;
     *)
       if [[ $word == -* ]]; then
         _crevasse_complete_option "$program" "${COMP_WORDS[1]/#-*/--help}" "$word"
@@ -65,7 +65,7 @@ _crevasse()
         _crevasse_add -d -- "$word"
         _crevasse_add -f -X '!*.prm' -- "$word"
         _crevasse_add -f -X '!*.json' -- "$word"
-        [ "$COMP_CWORD" != 1 ] || _crevasse_add -W "sweep advise report figures mesh temperature" -- "$word"
+        [ "$COMP_CWORD" != 1 ] || _crevasse_add -W "sweep advise life report figures mesh temperature" -- "$word"
       fi ;;
   esac
   return 0

@@ -3,7 +3,7 @@
 
 """Runs scenes of Crevasse and reads their results: doc/python.md."""
 
-__all__ = ["CommandError", "Results", "ResultsError", "read", "run"]
+__all__ = ["CommandError", "Life", "Results", "ResultsError", "life", "read", "run"]
 
 
 def __getattr__(name):

@@ -7,7 +7,7 @@ import importlib
 import os
 import sys
 
-NAMES = ("sweep", "advise", "figures", "report", "temperature",
+NAMES = ("sweep", "advise", "life", "figures", "report", "temperature",
          "mesh", "picture")
 FILE_FAILURE = 4
 
@@ -22,8 +22,8 @@ def main(words):
         command = importlib.import_module(f"crevasse.{words[0]}")
     except ImportError as missing:
         print(f"crevasse {words[0]}: {missing}. It needs Debian's packages "
-              "python3-h5py, python3-jinja2, python3-matplotlib and "
-              "python3-meshio, and Debian's own /usr/bin/python3.", file=sys.stderr)
+              "python3-h5py, python3-jinja2, python3-matplotlib, "
+              "python3-meshio and python3-scipy, and Debian's own /usr/bin/python3.", file=sys.stderr)
         return FILE_FAILURE
     try:
         status = command.main(words[1:])

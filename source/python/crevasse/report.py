@@ -10,7 +10,7 @@ import argparse
 import pathlib
 import sys
 
-from crevasse import run_page, sweep_page
+from crevasse import life_output, run_page, sweep_page
 from crevasse.results import ResultsError
 
 
@@ -31,6 +31,8 @@ def page_of(directory):
                            "directory of crevasse or of crevasse sweep.")
     if (directory / "sweep.csv").is_file():
         return sweep_page.page(directory)
+    if (directory / "life.csv").is_file():
+        return life_output.page(directory)
     if (directory / "used.prm").is_file():
         return run_page.page(directory)
     if (directory / "sweep.log").is_file():

@@ -38,9 +38,44 @@ def run(scene, parameters=None, *, output=None, force=False, resume=False,
     return results
 
 
+def life(scene, start=None, end=None, parameters=None, *, error=1e-2, output=None,
+         processes=1, quiet=True):
+    """The Life of a crack that grows from one length to another, by crevasse life, with
+    parameters as in run(). Without output the results go to results/<scene name>_life."""
+    program = find_program()
+    settings = {name: as_text(value) for name, value in (parameters or {}).items()}
+    words = [scene, *options(assignments(settings))]
+    if output is None:
+        output = f"{default_directory(program, words, scene)}_life"
+    words += ["--error", error, "--output", output, *["--quiet"] * quiet]
+    for option, value in (("--from", start), ("--to", end)):
+        words += [] if value is None else [option, value]
+    execute([*mpirun(processes), program, "life", *words])
+    return Life(output)
+
+
 def read(directory):
-    """The Results in the output directory of a run, finished or not."""
-    return Results(directory)
+    """The Results in the output directory of a run, finished or not, or the Life in
+    that of crevasse life."""
+    is_life = (pathlib.Path(directory) / "life.json").exists()
+    return (Life if is_life else Results)(directory)
+
+
+class Life:
+    """What crevasse life has written: summary is life.json, table life.csv."""
+
+    def __init__(self, directory):
+        from crevasse.life_output import read as read_life
+        self.directory = pathlib.Path(directory)
+        self.summary, self.columns = read_life(self.directory)
+
+    def __repr__(self):
+        return f"<crevasse.Life of {self.directory}>"
+
+    @property
+    def table(self):
+        import pandas
+        return pandas.DataFrame(self.columns)
 
 
 class Results(Run):

@@ -1,0 +1,238 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+# Copyright (C) 2026 by the Crevasse authors
+
+"""What drives the growth of a crack over its length, the growth by the scene's law,
+which the program evaluates, and the periods N = integral of da/(da/dN)."""
+
+import dataclasses
+import tempfile
+
+import numpy
+from scipy.interpolate import BarycentricInterpolator, PchipInterpolator
+from scipy.optimize import brentq
+
+from crevasse import findings
+from crevasse.command import CommandError
+from crevasse.program import message_of, options
+from crevasse.results import at
+from crevasse.run_reader import Run
+
+# What the law depends on, and the power of the length with which it grows in a large
+# body under a given stress.
+DRIVERS = {"K_max": 0.5, "Delta_K": 0.5, "Delta_K_eff": 0.5, "C_star": 1.}
+PARTS = 60  # between neighbouring lengths, each with Gauss points
+ROWS = 10  # of life.csv between neighbouring lengths
+GAUSS, WEIGHTS = numpy.polynomial.legendre.leggauss(4)
+
+
+@dataclasses.dataclass
+class Node:
+    """A crack length, and what a run found there."""
+    a: float
+    drivers: dict
+    closes: bool  # whether the lip does, at times
+    error: float  # of K, relative
+    place: tuple
+    angle: float
+    transition: float  # time until creep is steady
+    creep: tuple  # growth a period, where a history drives it, also with the error
+
+
+def mean_of_period(t, values, period):
+    last = t >= t[-1] - period * (1 + 1e-9)
+    t, values = t[last], values[last]
+    return (values[1:] + values[:-1]) @ numpy.diff(t) / 2 / numpy.ptp(t)
+
+
+class Reader:
+    """Reads nodes from runs of a scene, and asks the program for growth by its law."""
+
+    def __init__(self, program, scene_file, settings, scene, tip):
+        self.program, self.scene_file, self.settings = program, scene_file, settings
+        self.period = float(scene["Loads/Period"])
+        law = scene["Crack tip/Crack growth law"]
+        if law == "none":
+            raise CommandError(f"{scene_file}: [Crack tip] Crack growth law = none: a life "
+                               "needs a law; set one in the scene or by --law.", 2)
+        driver = scene["Crack tip/Creep growth parameter"] if (
+            "creep" in law or law == "sum") else ""
+        self.needs_c_star = driver == "C star"
+        self.history = {"C(t)": "C_t", "stress intensity": "K"}.get(driver)
+        self.needs_K = driver != "C(t)"
+        self.effective = scene["Crack tip/Growth range"] == "Delta K eff"
+        self.toughness = float(scene["Crack tip/Fracture toughness"])
+        self.tip = tip
+
+    def ask(self, header, columns):
+        """Growth by fatigue and by creep for each row of the columns."""
+        rows = numpy.column_stack(columns)
+        with tempfile.NamedTemporaryFile("w", suffix=".csv") as file:
+            file.write(header + "\n" + "".join(
+                ",".join("" if numpy.isnan(x) else repr(float(x)) for x in row) + "\n"
+                for row in rows))
+            file.flush()
+            call = self.program.finish(self.program.start(
+                "growth", file.name, self.scene_file, *options(self.settings)))
+        if call.status:
+            raise CommandError(message_of(call), max(call.status, 2))
+        return numpy.array(call.output.split(), dtype=float).reshape(-1, 2).T
+
+    def choose_tip(self, run):
+        tips = findings.tips_of(run.summary)
+        if not tips:
+            raise CommandError(f"{run.directory}: the run has no crack tip.", 2)
+        if len(tips) > 1 and not self.tip or self.tip and self.tip > len(tips):
+            places = "; ".join(f"{k}: ({', '.join(f'{x:g}' for x in tip['position'])})"
+                               for k, tip in enumerate(tips, 1))
+            raise CommandError(f"there are {len(tips)} crack tips: choose one by --tip N "
+                               f"({places}).", 2)
+        return tips[(self.tip or 1) - 1]
+
+    def node(self, a, directory):
+        run = Run(directory)
+        tip = self.choose_tip(run)
+        def of_tip(*path):
+            value = at(tip, path)
+            return numpy.nan if value is None else value
+        K = of_tip("equivalent_intensity", "largest")
+        K = max(of_tip("K_I", "largest") if numpy.isnan(K) else K, 0.)
+        drivers = {"K_max": K, **{name: of_tip(name) for name in list(DRIVERS)[1:]}}
+        if "Delta_K_eff" not in tip:  # without contact
+            drivers["Delta_K_eff"] = drivers["Delta_K"]
+        self.require(a, tip, drivers)
+        size = max(abs(of_tip("K_I", end)) for end in ("largest", "smallest"))
+        error = (of_tip("K_I_error") / size if size > 0. else
+                 of_tip("error_of_largest") / of_tip("largest") / 2)
+        error = 0. if numpy.isnan(error) else error
+        creep = numpy.nan, numpy.nan
+        if self.history:
+            t, driver = self.table(run)
+            power = 1 if self.history == "K" else 2
+            creep = [self.ask(f"t,{self.history}", (t, factor**power * driver))[1][0]
+                     for factor in (1, 1 + error)]
+        return Node(a, drivers, bool(at(tip, ("closed_part", "wholly")) or
+                                     at(tip, ("closed_part", "partly"))),
+                    error, tip["position"],
+                    0. if numpy.isnan(of_tip("growth_angle")) else tip["growth_angle"],
+                    self.transition(run, tip, of_tip), creep)
+
+    def require(self, a, tip, drivers):
+        if self.needs_K and numpy.isnan(drivers["K_max"]):
+            raise CommandError(f"at a = {a:g} K is not known: "
+                               f"{tip.get('no_K', 'the run has no K')}", 3)
+        if self.needs_c_star and numpy.isnan(drivers["C_star"]):
+            raise CommandError(f"at a = {a:g} C* is not known: {tip.get('no_C_star')}", 2)
+        if self.effective and numpy.isnan(drivers["Delta_K_eff"]):
+            raise CommandError(f"at a = {a:g} Delta_K_eff is not known: "
+                               f"{tip.get('no_K_opening')}", 3)
+
+    def table(self, run):
+        """Instants and driver of creep in the last period."""
+        name = "crack_tip" if self.history == "K" else "creep_integral"
+        single = run.tables.get(f"{name}.csv")
+        table = single or run.tables[f"{name}_{self.tip or 1}.csv"]
+        column = table.get("equivalent_intensity", table.get("K_I", table.get("C_t")))
+        last = table["t"] >= table["t"][-1] - self.period * (1 + 1e-9)
+        return table["t"][last], column[last]
+
+    def transition(self, run, tip, of_tip):
+        """Energy release rate of the mean load over C*: the time in which a Maxwell body
+        with a crack at rest comes to steady creep."""
+        flow, K = of_tip("C_star"), of_tip("K_I", "largest")
+        if not self.needs_c_star or not flow > 0. or not K > 0.:
+            return numpy.nan
+        name = f"crack_tip_{self.tip or 1}.csv"
+        table = run.tables.get("crack_tip.csv") or run.tables[name]
+        mean = mean_of_period(table["t"], table["K_I"], self.period)
+        return mean**2 * of_tip("energy_release_rate", "largest") / K**2 / flow
+
+
+def curve(a, values, power, is_kinked=False):
+    """Interpolates values, which are nan if unknown: the logarithm of what is left of
+    them without a power of a by a polynomial; next to a kink, or where they are not
+    positive, piecewise and monotone."""
+    rest = values / a**power
+    if not (rest > 0.).all():
+        if numpy.isnan(rest).any():
+            return lambda x: numpy.full(numpy.shape(x), numpy.nan)
+        line = PchipInterpolator(a, rest)
+        return lambda x: x**power * numpy.maximum(line(x), 0.)
+    line = (PchipInterpolator if is_kinked else BarycentricInterpolator)(
+        a, numpy.log(rest))
+    return lambda x: x**power * numpy.exp(line(x))
+
+
+class Growth:
+    """Growth between the lengths of some nodes of one or more scenes, by K as computed or
+    with its estimated error."""
+
+    def __init__(self, readers, shares, nodes, with_error=False):
+        """@param nodes a list for each scene."""
+        self.readers, self.shares, self.nodes = readers, shares, nodes
+        self.a = numpy.array([node.a for node in nodes[0]])
+        self.curves = [{name: curve(
+            self.a, numpy.array([node.drivers[name] for node in own]), power,
+            self.kink(own)) for name, power in DRIVERS.items()} for own in nodes]
+        self.creep = [curve(self.a, numpy.array([node.creep[with_error] for node in own]),
+                            0.) for own in nodes]
+        # Errors are no smooth function of the length.
+        self.errors = [PchipInterpolator(self.a, [with_error * node.error for node in own])
+                       for own in nodes]
+
+    def kink(self, nodes):
+        """The lengths between which a lip that stays open begins to close, or ends to."""
+        return next(((one.a, other.a) for one, other in zip(nodes, nodes[1:])
+                     if one.closes != other.closes), None)
+
+    def kinks(self):
+        """The first kink of any scene, for which a length is missing."""
+        return next(filter(None, map(self.kink, self.nodes)), None)
+
+    def rates(self, a):
+        """Growth by fatigue and by creep a period of the first scene."""
+        total = numpy.zeros((2, len(a)))
+        for reader, share, curves, creep, error in zip(
+                self.readers, self.shares, self.curves, self.creep, self.errors):
+            growth = reader.ask(",".join(curves), [
+                line(a) * (1 + error(a))**(2 * DRIVERS[name])
+                for name, line in curves.items()])
+            if reader.history:
+                growth[1] = creep(a)
+            total += share * growth
+        return total
+
+    def largest_K(self, a):
+        return numpy.max([curves["K_max"](a) for curves in self.curves], axis=0)
+
+    def length_at_toughness(self, start, end):
+        """The length at which K_max reaches the toughness; None if it does not."""
+        limit = min((reader.toughness for reader in self.readers if reader.toughness),
+                    default=numpy.inf)
+        a = numpy.linspace(start, end, 1001)
+        beyond = self.largest_K(a) >= limit
+        if not beyond.any():
+            return None
+        k = beyond.argmax()
+        return start if k == 0 else brentq(
+            lambda x: self.largest_K(numpy.array([x]))[0] - limit, a[k - 1], a[k])
+
+    def integrate(self, edges):
+        """Lengths at the edges of parts, the growth and N there, up to where the law
+        gives growth."""
+        middle, half = (edges[1:] + edges[:-1]) / 2, numpy.diff(edges) / 2
+        inner = (middle[:, None] + half[:, None] * GAUSS).ravel()
+        rates = self.rates(numpy.concatenate([edges, inner]))
+        total = rates.sum(axis=0)
+        with numpy.errstate(divide="ignore"):
+            periods = numpy.nan_to_num(1 / total[len(edges):], nan=numpy.inf,
+                                       posinf=numpy.inf).reshape(
+                len(half), -1) @ WEIGHTS * half
+        return rates[:, :len(edges)], numpy.concatenate([[0.], numpy.cumsum(periods)])
+
+
+def edges_of(nodes, start, end):
+    """Edges of the parts for the quadrature."""
+    inner = [a for a in nodes if start < a < end]
+    marks = [start, *inner, end]
+    return numpy.concatenate([numpy.linspace(low, high, PARTS, endpoint=False)
+                              for low, high in zip(marks, marks[1:])] + [[end]])

@@ -1,0 +1,122 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+# Copyright (C) 2026 by the Crevasse authors
+
+"""The crack lengths that a life may be computed from, with the settings of each, and
+their order: errors of K that change from length to length, as where the tip is on no
+grid line, would be far larger in N than those of the interpolation."""
+
+import math
+
+import numpy
+
+from crevasse.command import CommandError
+from crevasse.results import number, shortest
+from crevasse.sweep_plan import Plan
+
+FEWEST_CELLS = 4  # from the first length to the last
+LIGAMENT = 2  # cells of it that are left where no --to ends the growth
+ON_A_LINE = 1e-6
+FIRST, FEWEST = 5, 3  # lengths
+
+
+class Lengths:
+    """Possible lengths, ascending, and the settings of each. The growth begins at
+    "start" and ends at "end" at the latest, for the reason "why"."""
+
+    def __init__(self, options, scene):
+        self.why = "--to"
+        if options.vary or options.lengths:
+            self.of_values(options)
+        else:
+            self.of_shape(options, scene)
+        self.all = numpy.array(self.all)
+        if not self.start < self.end:
+            raise CommandError(f"--from {self.start:g} --to {self.end:g}: the growth ends "
+                               "before it begins; give a longer crack by --to.", 2)
+
+    def of_values(self, options):
+        plan = Plan(options.vary)
+        values = [point.values for point in plan.points]
+        lengths = options.lengths
+        if not lengths and plan.parameters == ["Geometry/Crack length"]:
+            lengths = [number(value) or 0. for value, in values]
+        if not lengths or len(lengths) != len(values):
+            raise CommandError(f"--lengths has {len(lengths or [])} lengths for the "
+                               f"{len(values)} values of --vary; each value needs the "
+                               "length of its crack.", 2)
+        if len(values) < FEWEST or sorted(set(lengths)) != lengths:
+            raise CommandError(f"--lengths {','.join(map(shortest, lengths))}: must be at "
+                               f"least {FEWEST} lengths that ascend.", 2)
+        self.all = lengths
+        self.settings = [plan.settings(point) for point in plan.points]
+        self.body_ends = None
+        self.start, self.end = options.start or lengths[0], options.end or lengths[-1]
+        if self.start < lengths[0]:
+            raise CommandError(f"--from {self.start:g}: is shorter than the first of "
+                               f"--lengths, {lengths[0]:g}.", 2)
+        if not options.end or self.end > lengths[-1]:
+            self.end, self.why = lengths[-1], "last length"
+
+    def of_shape(self, options, scene):
+        if scene["Geometry/Shape"] not in ("edge crack", "centre crack"):
+            raise CommandError(f"[Geometry] Shape = {scene['Geometry/Shape']}: the length "
+                               "of its crack is not known. Give meshes of several "
+                               "lengths, --vary \"Geometry/Mesh file=a.msh,b.msh,c.msh\" "
+                               "--lengths 1,2,3.", 2)
+        width = self.body_ends = float(scene["Geometry/Width"])
+        self.start = options.start or float(scene["Geometry/Crack length"])
+        for option, value in (("--from", self.start), ("--to", options.end or 0.)):
+            if value >= width:
+                raise CommandError(f"{option} {value:g}: the crack would leave the body, "
+                                   f"whose Width is {width:g}.", 2)
+        self.cells = cells = self.choose_cells(scene, options.end)
+        last = cells[0] - (1 if options.end else LIGAMENT)
+        self.end = min(options.end or width, last * width / cells[0])
+        if self.end != options.end:
+            self.why = "ligament"
+        lines = range(max(math.floor(self.start * cells[0] / width + ON_A_LINE), 1),
+                      min(math.ceil(self.end * cells[0] / width - ON_A_LINE), last) + 1)
+        self.all = [line * width / cells[0] for line in lines]
+        self.settings = [[f"Geometry/Crack length={shortest(a)}",
+                          f"Geometry/Subdivisions={cells[0]}, {cells[1]}"]
+                         for a in self.all]
+
+    def choose_cells(self, scene, end):
+        """Subdivisions with grid lines at both ends if there are some, and with some
+        lines between them."""
+        width, height = (float(scene[f"Geometry/{name}"]) for name in ("Width", "Height"))
+        own = [number(text) for text in scene["Geometry/Subdivisions"].split(",")]
+        if None in own:  # automatic
+            size = max(min(self.start, width - (end or self.start), height) / 7,
+                       max(width, height) / 64)
+            own = [round(width / size), round(height / size)]
+        last = end or width
+        fewest = math.ceil(max(own[0], width / self.start - ON_A_LINE,
+                               FEWEST_CELLS * width / max(last - self.start, 1e-3 * width)
+                               - ON_A_LINE))
+        n = next((n for n in range(fewest, 2 * fewest) if all(
+            abs(a * n / width - round(a * n / width)) < ON_A_LINE
+            for a in (self.start, last))), fewest)
+        return n, max(1, round(own[1] * n / own[0]))
+
+    def first(self):
+        """Numbers of the first lengths, next to Chebyshev-Lobatto points."""
+        middle, half = self.all[[0, -1]].sum() / 2, numpy.ptp(self.all[[0, -1]]) / 2
+        points = middle - half * numpy.cos(numpy.pi * numpy.arange(FIRST) / (FIRST - 1))
+        points[[1, -1]] = points[[-1, 1]]  # the last one is left out for the error
+        return list(dict.fromkeys(int(abs(self.all - x).argmin()) for x in points))
+
+    def next(self, chosen, rates, within=None):
+        """Number of the length to add, within two lengths if some are there: a Leja
+        point, so that the interpolation stays close to that of Chebyshev points,
+        weighted by the periods that the crack spends there; None if all are chosen.
+
+        @param rates growth a period at all lengths."""
+        usable = (rates > 0.).all() and numpy.isfinite(rates).all()
+        weights = 1 / rates if usable else numpy.ones(len(self.all))
+        others = [k for k in range(len(self.all)) if k not in chosen]
+        if within:
+            low, high = within
+            others = [k for k in others if low < self.all[k] < high] or others
+        return max(others, default=None, key=lambda k: weights[k] * abs(
+            self.all[k] - self.all[chosen]).prod())

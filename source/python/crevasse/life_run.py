@@ -1,0 +1,238 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+# Copyright (C) 2026 by the Crevasse authors
+
+"""One life: runs at crack lengths, on disk or to be computed, until the error of N is
+below what was asked, and what ended the growth."""
+
+import json
+import os
+import pathlib
+import types
+
+import numpy
+from scipy.interpolate import PchipInterpolator
+
+from crevasse import life_output
+from crevasse.command import CommandError
+from crevasse.life_growth import Growth, Reader, edges_of
+from crevasse.life_lengths import Lengths
+from crevasse.program import without_numbers
+from crevasse.results import parse_parameters
+from crevasse.sweep_folder import Folder
+from crevasse.sweep_run import choose_jobs
+
+NOT_OF_THE_LAW = ("Stress intensity", "Creep integral", "Method", "Radius")
+MOST_REFINEMENTS = 2  # of the meshes of the scene
+STEADY = 0.1  # of the ligament: growth within the time until creep is steady
+
+
+class Life:
+    def __init__(self, options, program, log):
+        self.options, self.program, self.log = options, program, log
+        members = [(options.scene, 1.), *options.block]
+        self.files = [file for file, _ in members]
+        self.shares = [part for _, part in members]
+        texts = [program.finish_parameters(program.start_parameters(file, options.set))
+                 for file in self.files]
+        scenes = [parse_parameters(text)[0] for text in texts]
+        self.readers = [Reader(program, file, options.set, scene, options.tip)
+                        for file, scene in zip(self.files, scenes)]
+        self.law = scenes[0]["Crack tip/Crack growth law"]
+        self.lengths = Lengths(options, scenes[0])
+        self.own = [self.without_law(scene) for scene in scenes]
+        self.jobs = choose_jobs(options, program, False)
+        self.directory = options.output or pathlib.Path(
+            (scenes[0]["Output directory"] or f"results/{options.scene.stem}") + "_life")
+        self.period = sum(part * reader.period
+                          for part, reader in zip(self.shares, self.readers))
+        self.refinements = [int(scene["Geometry/Refinements"]) for scene in scenes]
+        self.nodes, self.warnings, self.levels, self.new_runs = {}, {}, {}, 0
+        self.runs = 0
+
+    def without_law(self, scene):
+        """Settings that leave runs as they are if the law changes."""
+        call = self.program.finish(self.program.start("--print-parameters", "json"))
+        usual = json.loads(call.output)["Crack tip"]
+        return [*(f"Crack tip/{name}={value}" for name, value in usual.items()
+                  if name not in NOT_OF_THE_LAW),
+                *["Crack tip/Stress intensity=true"]
+                * (scene["Crack tip/Creep integral"] != "true")]
+
+    def settings(self, member, k):
+        level = self.levels.get(k, 0)
+        return [*self.options.set, *self.own[member], *self.lengths.settings[k],
+                *[f"Geometry/Refinements={self.refinements[member] + level}"] * (level > 0)]
+
+    def run(self):
+        lengths = self.lengths
+        self.log(f"Crevasse {os.environ.get('CREVASSE_VERSION', '')}: life of "
+                 f"{self.options.scene.name} from a = {lengths.start:g} to "
+                 f"{lengths.end:g}, {len(lengths.all)} possible lengths")
+        first = lengths.first()
+        self.compute(chosen := [*first])
+        while True:
+            found = self.estimate(chosen)
+            # Beyond the end of the growth a length matters only next to it.
+            beyond = lengths.all >= found.end
+            if beyond.any():
+                lengths.all = lengths.all[:max(beyond.argmax(), max(chosen)) + 1]
+            following = lengths.next(chosen, found.growth.rates(lengths.all).sum(axis=0),
+                                     found.kink)
+            is_first = len(chosen) == len(first) and following is not None
+            if not is_first:
+                self.log(f"  {len(chosen)} lengths: {found.words}")
+            if found.is_enough and not is_first:
+                break
+            of_meshes = not is_first and found.error_of_mesh > found.error_of_lengths
+            if of_meshes and (coarse := self.coarse(chosen)):
+                self.refine(coarse)
+            elif following is None or (
+                    of_meshes and found.error_of_mesh > self.options.error * found.N):
+                break
+            else:
+                chosen.append(following)
+                self.compute([following])
+        self.conclude(found, chosen)
+
+    def coarse(self, chosen):
+        """The lengths with the largest errors of K, if their meshes may be refined."""
+        errors = {k: max(self.nodes[member, k].error for member in range(len(self.files)))
+                  for k in chosen}
+        return [k for k, error in errors.items() if error > max(errors.values()) / 2
+                and self.levels.get(k, 0) < MOST_REFINEMENTS]
+
+    def refine(self, numbers):
+        self.log("  halves the cells at a = " + ", ".join(
+            f"{self.lengths.all[k]:g}" for k in sorted(numbers)))
+        for k in numbers:
+            self.levels[k] = self.levels.get(k, 0) + 1
+        self.compute(numbers)
+
+    def compute(self, numbers):
+        """Finds the nodes with these numbers, on disk or by runs, several at a time."""
+        waiting = [(member, k) for k in numbers for member in range(len(self.files))]
+        running = {}
+        while waiting or running:
+            if waiting and len(running) < self.jobs:
+                member, k = waiting.pop(0)
+                folder, result = self.stored(member, k)
+                if result:
+                    self.keep(member, k, folder, result, " (already there)")
+                else:
+                    call = folder.begin(self.program, self.files[member],
+                                        self.settings(member, k), False)
+                    running[call] = member, k, folder
+            else:
+                call = self.program.finish(*running)
+                member, k, folder = running.pop(call)
+                result = folder.result(self.program.outcome(call))
+                folder.finish(result)
+                self.new_runs += 1
+                self.keep(member, k, folder, result)
+
+    def stored(self, member, k):
+        name = f"a_{self.lengths.all[k]:.10g}" + "_refined" * self.levels.get(k, 0)
+        used = self.program.finish_parameters(self.program.start_parameters(
+            self.files[member], ["Output/Fields=none", *self.settings(member, k)]))
+        folder = Folder(self.directory / (f"block_{member}" if member else "") / name, used)
+        return folder, folder.finished()
+
+    def keep(self, member, k, folder, result, remark=""):
+        a = self.lengths.all[k]
+        if result.status != "done":
+            raise CommandError(f"The run at a = {a:g} ({folder.path}): {result.message}",
+                               3 if result.status != "refused" else 2)
+        for text in result.warnings:
+            self.warnings.setdefault(without_numbers(text), text)
+        self.runs += 1
+        node = self.readers[member].node(a, folder.path)
+        self.nodes[member, k] = node
+        self.log(f"  a = {a:g}: K_max {node.drivers['K_max']:.5g}, estimated error "
+                 f"{100 * node.error:.1g} %; {result.costs['seconds']:.2g} s{remark}")
+
+    def growth(self, chosen, with_error=False):
+        return Growth(self.readers, self.shares, [
+            [self.nodes[member, k] for k in sorted(chosen)]
+            for member in range(len(self.files))], with_error)
+
+    def estimate(self, chosen):
+        """N up to the end of the growth, and its errors, with the chosen lengths."""
+        start, end = self.lengths.start, self.lengths.end
+        growth, why = self.growth(chosen), self.lengths.why
+        if (at_toughness := growth.length_at_toughness(start, end)) is not None:
+            end, why = at_toughness, "K_c"
+        found = types.SimpleNamespace(growth=growth, kink=growth.kinks(), end=end)
+        found.edges = edges_of(growth.a, start, end)
+        found.rates, found.periods = growth.integrate(found.edges)
+        total = found.rates.sum(axis=0)
+        if not (total > 0.).all():
+            k = int((~(total > 0.)).argmax())
+            why = "law" if numpy.isnan(total[k]) else "arrest"
+            if why == "law" and k == 0:
+                raise CommandError(f"The law gives no growth at a = {start:g}, K_max = "
+                                   f"{growth.largest_K(start):.5g}: is it outside the "
+                                   "growth table?", 2)
+            found.end = found.edges[k]
+            cut = slice(0, k + (why == "arrest"))
+            found.edges, found.periods = found.edges[cut], found.periods[cut]
+            found.rates = found.rates[:, cut]
+            if why == "arrest":
+                found.periods[-1] = numpy.inf
+        found.why, found.N = why, found.periods[-1]
+        self.estimate_errors(found, chosen)
+        return found
+
+    def estimate_errors(self, found, chosen):
+        """Differences that N has without the last length, and with the errors of K."""
+        found.error_of_lengths = found.error_of_mesh = 0.
+        found.errors = numpy.zeros(len(found.edges))
+        if numpy.isfinite(found.N) and found.N > 0.:
+            for name, other in (("error_of_lengths", self.growth(chosen[:-1])),
+                                ("error_of_mesh", self.growth(chosen, with_error=True))):
+                difference = abs(other.integrate(found.edges)[1] - found.periods)
+                difference[~numpy.isfinite(difference)] = numpy.inf
+                setattr(found, name, difference[-1])
+                found.errors = found.errors + difference
+        error = found.errors[-1]
+        found.is_enough = error <= self.options.error * found.N or not numpy.isfinite(
+            found.N)
+        found.words = (f"N = {found.N:.6g}, estimated error {error:.2g} "
+                       f"(lengths {found.error_of_lengths:.1g}, "
+                       f"meshes {found.error_of_mesh:.1g})" if numpy.isfinite(found.N)
+                       else f"no end: the crack does not grow at a = {found.end:.6g}")
+
+    def conclude(self, found, chosen):
+        self.describe_transition(found, chosen)
+        life_output.write(self, found, chosen)
+        for text in self.warnings.values():
+            self.log("  warning: " + text)
+        self.log(f"  stopped by {found.why} at a = {found.end:.6g}; {self.new_runs} new "
+                 f"runs; table in {self.directory}/life.csv, life.json")
+        if not found.is_enough:
+            raise CommandError(
+                f"The estimated error of N, {found.errors[-1] / found.N:.2g} of it, is "
+                f"above --error {self.options.error:g}: " + (
+                    "the meshes are too coarse; refine them." if
+                    found.error_of_mesh >= found.error_of_lengths else
+                    "there are no more lengths; allow more, by finer Subdivisions or more "
+                    "--lengths."), 3)
+
+    def describe_transition(self, found, chosen):
+        """How much the crack grows until creep is steady, part of the ligament, at the
+        edges; nan without growth by C*."""
+        nodes = [self.nodes[0, k] for k in sorted(chosen)]
+        times = numpy.array([node.transition for node in nodes])
+        found.transition = numpy.full(len(found.edges), numpy.nan)
+        if numpy.isnan(times).any():
+            return
+        time = PchipInterpolator(found.growth.a, times)(found.edges)
+        rest = (self.lengths.body_ends or 2 * found.edges) - found.edges
+        found.transition = found.rates.sum(axis=0) * time / self.period / rest
+        largest = found.transition.max()
+        self.log(f"  creep is steady after {times.min():.4g} to {times.max():.4g}; the "
+                 f"crack grows meanwhile by at most {100 * largest:.2g} % of the ligament")
+        if largest > STEADY:
+            a = found.edges[(found.transition > STEADY).argmax()]
+            self.warnings["transition"] = (
+                f"from a = {a:.4g} on the crack grows by more than {100 * STEADY:g} % of the "
+                "ligament before creep is steady: C* does not describe its growth there")

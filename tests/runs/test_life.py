@@ -1,0 +1,297 @@
+"""crevasse life: N of a strip against accurate values, with its error; laws against
+their formulas; what ends the growth; interrupted, parallel and wrong commands."""
+
+import json
+import math
+import os
+import pathlib
+import shutil
+import signal
+import subprocess
+import types
+
+import numpy
+
+from crevasse_run import (PROGRAM, SOURCE, check, check_below, check_close, execute,
+                          execute_on, full, wait_until)
+from mpi_environment import ENVIRONMENT
+
+os.environ["CREVASSE_PROGRAM"] = str(PROGRAM)
+from crevasse.life_growth import Growth, Node, Reader, edges_of  # noqa: E402
+from crevasse.life_output import page, read  # noqa: E402
+from crevasse.program import Program  # noqa: E402
+from crevasse.results import parse_parameters  # noqa: E402
+import crevasse  # noqa: E402
+
+STRIP = pathlib.Path("strip.prm")
+STRIP.write_text("""
+subsection Geometry
+  set Width        = 1
+  set Height       = 1.5
+  set Subdivisions = 40, 60
+end
+subsection Material
+  set Young modulus = 1000
+  set Viscosity     = none
+end
+subsection Loads
+  set Period   = 2
+  set Traction = 0; 0.5*(1 - cos(pi*t))
+end
+subsection Time integration
+  set Steps per period = 2
+end
+subsection Crack tip
+  set Crack growth law = paris
+  set Paris factor     = 1
+  set Paris exponent   = 3
+end
+""")
+COARSE = ["--set", "Geometry/Subdivisions=10, 15", "--set", "Discretisation/Degree=1"]
+EXACT = {3: 0.2354408, 4: 0.2561189}  # a/W from 0.1 to 0.6
+
+
+def of_law(*settings):
+    return [word for text in settings for word in ("--set", "Crack tip/" + text)]
+
+
+def life(name, *words, scene=STRIP, status=0, fresh=True, run=execute):
+    """life.json, the columns of life.csv, and what was printed; or the error."""
+    directory = pathlib.Path("results") / name
+    if fresh:
+        shutil.rmtree(directory, ignore_errors=True)
+    code, output, error = run("life", scene, "--output", directory, *words)
+    check(code == status, f"{name}: exit status {code}, not {status}\n{output}{error}")
+    print(output + error)
+    if status == 2:
+        return error
+    return *read(directory), output + error
+
+
+def test_strip():
+    """Other constants and errors need no new run."""
+    for m, exact in EXACT.items():
+        for k, asked in enumerate(("1e-2", "1e-3")):
+            first = m == 3 and k == 0
+            found, table, _ = life(
+                "strip", "--from", "0.1", "--to", "0.6", "--error", asked,
+                *of_law(f"Paris exponent={m}"), fresh=first)
+            check((found["new_runs"] > 0) == first and found["runs"] <= 7, f"{found}")
+            difference = abs(found["N"] - exact)
+            check_below(difference / exact, 5e-4, f"N, m = {m}, {asked}")
+            check(difference / 2 <= found["N_error"] <= 5 * difference,
+                  f"error {found['N_error']}, true {difference}")
+            check_close(table["t"][-1] / table["N"][-1], 2, 1e-12, "time")
+            check(found["stopped_by"] == "--to", "stopped by")
+            check_close(table["x"][0] + table["a"][0], 1, 1e-12, "place of the tip")
+    text = page(pathlib.Path("results/strip"))[0]
+    check("periods from a = 0.1 to 0.6" in text, "the page")
+    from_python = crevasse.read("results/strip")
+    check(from_python.summary["N"] == found["N"], "read from Python")
+    check_close(from_python.table["a"].iloc[-1], 0.6, 1e-12, "table in Python")
+
+
+def test_walker_and_toughness():
+    """Between 0.1 and K_c, with R = 1/3; N is finite, and that of another quadrature."""
+    found, table, _ = life(
+        "walker", "--from", "0.2", "--to", "0.6", *COARSE, "--error", "0.2",
+        "--set", "Loads/Traction=0; 2 - cos(pi*t)", *of_law(
+            "Walker exponent=0.6", "Fracture toughness=6", "Paris threshold=0.1"),
+        "--law", "walker")
+    K, span = table["K_max"], table["Delta_K"]
+    check_below(abs(span / K - 2 / 3).max(), 1e-6, "R")
+    rates = span**3 * (2 / 3)**(-0.4 * 3) / (1 - K / 6)
+    inner = slice(0, -1)
+    check_below(abs(table["da_dN_fatigue"] / rates - 1)[inner].max(), 1e-9, "rates")
+    check(found["stopped_by"] == "K_c" and found["to"] < 0.6, f"{found['stopped_by']}")
+    check_close(K[-1], 6, 1e-6, "K at the end")
+    a = numpy.concatenate([table["a"][inner], table["a"][-1:]])
+    periods = numpy.concatenate([1 / rates[inner], [0.]])
+    sum_of_trapezoids = (periods[1:] + periods[:-1]) @ numpy.diff(a) / 2
+    check_close(found["N"] / sum_of_trapezoids, 1, 0.02, "N")
+
+
+def test_ends():
+    """Threshold, table, ligament."""
+    common = ["--from", "0.2", *COARSE, "--error", "0.5"]
+    found, _, text = life("arrest", *common, "--to", "0.6", *of_law("Paris threshold=2"))
+    check(found["infinite"] and found["N"] is None and found["to"] == 0.2
+          and found["stopped_by"] == "arrest", f"{found}")
+    check("no end" in text, text)
+    pathlib.Path("law.csv").write_text("Delta_K,R,da_dN\n0.1,0,0.001\n3,0,27\n")
+    found, table, _ = life("table", *common, "--to", "0.6", "--law", "table", *of_law(
+        "Growth table=law.csv"))
+    check(found["stopped_by"] == "law", f"{found['stopped_by']}")
+    check_close(table["Delta_K"][-1], 3, 0.02, "the table's end")
+    check_below(abs(table["da_dN_fatigue"] / table["Delta_K"]**3 - 1).max(), 1e-9,
+                "a straight line in logarithms")
+    found, _, _ = life("ligament", *common)
+    check(found["stopped_by"] == "ligament" and found["to"] == 0.8, f"{found}")
+
+
+def test_values_and_blocks():
+    """Lengths given with values, as of mesh files; a scene and itself as a block."""
+    lengths = "0.2,0.3,0.4,0.5,0.6"
+    words = ["--vary", f"Geometry/Crack length={lengths}", *COARSE, "--error", "0.5"]
+    one, table, _ = life("values", *words, "--lengths", lengths)
+    check(one["from"] == 0.2 and one["to"] == 0.6 and one["runs"] == 5, f"{one}")
+    two, blocks, _ = life("blocks", *words, "--block", f"{STRIP}=3")
+    check_close(two["N"] / one["N"], 0.25, 1e-12, "N of four periods at once")
+    check_close(two["t"] / one["t"], 1, 1e-12, "their time")
+
+
+def reader(*settings):
+    """Asks the program for the strip's law."""
+    stop = types.SimpleNamespace(check=lambda: None, asked=lambda: "", end=math.inf)
+    program = Program(stop)
+    texts = [f"Crack tip/{text}" for text in settings]
+    scene = parse_parameters(program.finish_parameters(
+        program.start_parameters(STRIP, texts)))[0]
+    return Reader(program, STRIP, texts, scene, None)
+
+
+def test_infinite_plate():
+    """N of da/dN = C (s sqrt(pi a))^m, from K at a few lengths."""
+    C, s = 2e-7, 3.
+    for m in (2.5, 3., 4.):
+        a = numpy.array([0.5, 1., 2., 4., 5.])
+        K = s * numpy.sqrt(math.pi * a)
+        nodes = [Node(x, {"K_max": k, "Delta_K": k, "Delta_K_eff": k, "C_star": math.nan},
+                      True, 0., (0., 0.), 0., math.nan, (math.nan, math.nan))
+                 for x, k in zip(a, K)]
+        growth = Growth([reader(f"Paris factor={C}", f"Paris exponent={m}")], [1.], [nodes])
+        _, N = growth.integrate(edges_of(a, 0.5, 5.))
+        power = 1 - m / 2
+        exact = (5.**power - 0.5**power) / (power * C * (s * math.sqrt(math.pi))**m)
+        check_below(abs(N[-1] / exact - 1), 1e-9, f"infinite plate, m = {m}")
+
+
+def growth(columns, *settings):
+    """Fatigue and creep for rows of drivers."""
+    return reader(*settings).ask(",".join(columns), [*map(numpy.array, columns.values())])
+
+
+def test_laws():
+    K, span = numpy.array([4., 8., 9.9, 10., 12.]), numpy.array([2., 4., 6., 6., 6.])
+    columns = {"K_max": K, "Delta_K": span, "Delta_K_eff": span / 2,
+               "C_star": numpy.array([1e-3, 2e-3, 3e-3, 4e-3, math.nan])}
+    walker = ["Crack growth law=walker", "Paris factor=1e-3", "Paris exponent=2.5",
+              "Paris threshold=3", "Walker exponent=0.5", "Fracture toughness=10"]
+    with numpy.errstate(divide="ignore"):
+        expected = 1e-3 * span**2.5 * (span / K)**(-0.5 * 2.5) / numpy.maximum(1 - K / 10, 0)
+        expected[0] = 0.
+        smooth = 1e-3 * span**2.5 * (span / K)**(-0.5 * 2.5) * (
+            1 - numpy.exp(0.7 * (1 - span / 3))) / (1 - numpy.exp(2 * (K / 10 - 1)))
+    numpy.testing.assert_allclose(growth(columns, *walker)[0], expected, rtol=1e-12)
+    numpy.testing.assert_allclose(
+        growth(columns, *walker, "Threshold exponent=0.7", "Toughness exponent=2")[0][1:3],
+        smooth[1:3], rtol=1e-12)
+    fatigue, creep = growth(
+        columns, "Crack growth law=sum", "Paris factor=1e-3", "Paris exponent=2",
+        "Growth range=Delta K eff", "Creep factor=5", "Creep exponent=0.8")
+    numpy.testing.assert_allclose(fatigue, 1e-3 * (span / 2)**2, rtol=1e-12)
+    numpy.testing.assert_allclose(creep, 2 * 5 * columns["C_star"]**0.8, rtol=1e-12)
+    # Linear between two R; a threshold; nothing beyond.
+    pathlib.Path("two.csv").write_text(
+        "# measured\nDelta_K,R,da_dN\n1,0,0\n2,0,1e-3\n8,0,16e-3\n2,0.5,4e-3\n8,0.5,64e-3\n")
+    columns = {"K_max": [8., 16 / 3, 2., 4., 4., 1.], "Delta_K": [4., 4., 2., 1., 3.9, 1.]}
+    columns |= {"Delta_K_eff": columns["Delta_K"], "C_star": [math.nan] * 6}
+    fatigue, _ = growth(columns, "Crack growth law=table", "Growth table=two.csv")
+    numpy.testing.assert_allclose(
+        fatigue, [16e-3, 8e-3, 1e-3, math.nan, 1e-3 * 1.95**2 * 4**(0.025 / 0.5), 0.],
+        rtol=1e-12)
+
+
+def test_interrupted():
+    """Killed and repeated: only what is missing is computed."""
+    words = ["life", STRIP, "--from", "0.1", "--to", "0.6", "--jobs", "1", "--output",
+             "results/killed"]
+    directory = pathlib.Path("results/killed")
+    shutil.rmtree(directory, ignore_errors=True)
+    process = subprocess.Popen([PROGRAM, *map(str, words)], env=ENVIRONMENT,
+                               stdout=subprocess.DEVNULL)
+    wait_until(lambda: len([*directory.glob("a_*/finished.json")]) >= 2, process)
+    process.send_signal(signal.SIGKILL)
+    process.wait()
+    kept = len([*directory.glob("a_*/finished.json")])
+    check(2 <= kept < 6, f"{kept} runs before the end")
+    found, table, output = life("killed", "--from", "0.1", "--to", "0.6", fresh=False)
+    check(output.count("already there") == kept, output)
+    check(found["new_runs"] == found["runs"] - kept, f"{found}")
+    whole, other, _ = life("whole", "--from", "0.1", "--to", "0.6")
+    check_below(abs(table["N"] - other["N"]).max() / whole["N"], 1e-9, "the same life")
+
+
+def test_parallel():
+    words = ["--from", "0.2", "--to", "0.6", *COARSE, "--error", "0.5"]
+    one, _, _ = life("one", *words)
+    two, _, _ = life("two", *words, run=lambda *all_words: execute_on(2, *all_words))
+    check_below(abs(two["N"] / one["N"] - 1), 1e-6, "on two processes")
+
+
+def test_negative_K():
+    """Delta_K and the law count K < 0 as 0: a load that presses for half of the period on
+    a wide gap that stays open."""
+    directory = pathlib.Path("results/pressed")
+    code, _, error = execute(
+        STRIP, "--output", directory, "--force", "--quiet", "--set",
+        "Loads/Traction=0; cos(pi*t)", *COARSE, "--set", "Boundary/Gap=-1", "--set",
+        "Discretisation/Singular functions=0")
+    check(code == 0, error)
+    tip = json.loads((directory / "summary.json").read_text())["crack_tip"]
+    check_close(tip["K_I"]["smallest"] / tip["K_I"]["largest"], -1, 1e-9, "K_min")
+    check_close(tip["Delta_K"], tip["K_I"]["largest"], 1e-12, "Delta_K")
+    check_close(tip["da_dN"] / tip["Delta_K"]**3, 1, 1e-12, "the law")
+    check(tip["da_dN_fatigue"] == tip["da_dN"] and tip["da_dN_creep"] == 0, "its parts")
+
+
+BROKEN = (
+    ("ends before it begins", ["--from", "0.6", "--to", "0.1"]),
+    ("would leave the body, whose Width is 1", ["--from", "0.1", "--to", "1.5"]),
+    ("Crack growth law = none: a life needs a law", ["--law", "none"]),
+    ("Crack growth law", ["--law", "parris"]),
+    ("Paris factor", of_law("Paris factor=0")),
+    ("must be a file where", ["--law", "table"]),
+    ("line 3: da_dN = \"\" must be a number", [
+        "--law", "table", *of_law("Growth table=gaps.csv")]),
+    ("there is one row for R = 0", ["--law", "table", *of_law("Growth table=row.csv")]),
+    ("its crack is not known", ["--set", "Geometry/Shape=rectangle"]),
+    ("2 lengths for the 3 values", [
+        "--vary", "Geometry/Crack length=0.1,0.2,0.3", "--lengths", "0.1,0.2"]),
+    ("must be at least 3 lengths that ascend", [
+        "--vary", "Geometry/Crack length=0.1,0.3,0.2"]),
+    ("at least 1e-8 and less than 1", ["--from", "0.1", "--to", "0.6", "--error", "0"]),
+    ("is not a length", ["--from", "-1"]),
+    ("SCENE=number", ["--block", "strip.prm"]),
+    ("C* is not known: without viscosity nothing flows", [
+        "--from", "0.2", "--to", "0.6", *COARSE, "--law", "creep",
+        *of_law("Creep factor=1")]),
+    ("is for Dimension = 2", ["--set", "Dimension=3"]))
+
+
+def test_broken():
+    pathlib.Path("gaps.csv").write_text("Delta_K,R,da_dN\n1,0,1e-3\n2,0,\n")
+    pathlib.Path("row.csv").write_text("Delta_K,R,da_dN\n1,0,1e-3\n")
+    for message, words in BROKEN:
+        error = life("broken", *words, status=2)
+        check(message in error, f"{message} is not in: {error}")
+        check("Traceback" not in error, error)
+
+
+@full
+def test_crack_growth():
+    """prm/crack_growth.prm: 14463.9 periods from 5 to 35 mm, of 21 lengths."""
+    found, table, output = life("crack_growth", "--from", "5", "--to", "35", "--error",
+                                "1e-3", scene=SOURCE / "prm/crack_growth.prm")
+    check_close(found["N"], 14463.9, 7, "N")
+    check(found["N_error"] < 1e-3 * found["N"], "its error")
+    check("before creep is steady" in output and
+          found["growth_before_creep_is_steady"] > 1.5, "the warning")
+    check_close(found["lengths"][0]["transition_time"], 2e9 / 170000, 100, "G/C*")
+    check((table["da_dN_creep"] > 0).all() and (table["da_dN_fatigue"] > 0).all(), "parts")
+
+
+if __name__ == "__main__":
+    for name, test in [*globals().items()]:
+        if name.startswith("test_"):
+            test()
