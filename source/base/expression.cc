@@ -8,7 +8,7 @@
 #include <deal.II/base/numbers.h>
 #include <deal.II/base/utilities.h>
 
-#include <cctype>
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <muParser.h>
@@ -20,6 +20,7 @@ namespace Crevasse
   {
     mu::Parser parser;
     double     x = 0., y = 0., z = 0., t = 0., theta = 0., material = 0.;
+    Tables     tables; ///< or null
   };
 
 
@@ -84,7 +85,8 @@ namespace Crevasse
         message += " (position " + std::to_string(error.GetPos()) + ")";
       if (error.GetCode() == mu::ecUNASSIGNABLE_TOKEN)
         message += " Known names: " + variables +
-                   ", pi and the functions of muParser, if, pow, floor, ceil.";
+                   ", pi and the functions of muParser, if, pow, floor, "
+                   "ceil, and the columns of [Tables].";
       return message;
     }
   } // namespace
@@ -93,7 +95,8 @@ namespace Crevasse
 
   Expression::Expression(const std::string &formula,
                          const std::string &allowed,
-                         const std::string &parameter)
+                         const std::string &parameter,
+                         const Tables      &tables)
     : parser(std::make_shared<Parser>())
     , text(dealii::Utilities::trim(formula))
     , name(parameter)
@@ -107,6 +110,15 @@ namespace Crevasse
     try
       {
         define_functions_and_constants(mu);
+        parser->tables = tables;
+        if (tables != nullptr)
+          for (const auto &[function, rows] : *tables)
+            mu.DefineFunUserData<double (*)(void *, double)>(
+              function,
+              [](void *f, const double at) {
+                return (*static_cast<const TableFunction *>(f))(at);
+              },
+              const_cast<TableFunction *>(&rows));
         const std::map<std::string, double *> values = {
           {"x", &parser->x},
           {"y", &parser->y},
@@ -136,6 +148,29 @@ namespace Crevasse
           "separated by semicolons.");
     if (variables.empty() && !std::isfinite(mu.Eval()))
       refuse_formula(text, "its value is not finite.");
+  }
+
+
+
+  bool
+  Expression::is_known_name(const std::string &name)
+  {
+    mu::Parser known;
+    define_functions_and_constants(known);
+    const auto variables = Text::split(Variables::space_time_and_material, ',');
+    return std::count(variables.begin(), variables.end(), name) > 0 ||
+           known.GetFunDef().count(name) > 0 ||
+           known.GetConst().count(name) > 0;
+  }
+
+
+
+  const TableFunction *
+  Expression::table(const std::string &function) const
+  {
+    return parser->tables != nullptr && parser->tables->count(function) > 0
+             ? &parser->tables->at(function)
+             : nullptr;
   }
 
 
@@ -182,12 +217,14 @@ namespace Crevasse
   Expression::parse_list(const std::string &formulas,
                          const char         separator,
                          const std::string &variables,
-                         const std::string &parameter)
+                         const std::string &parameter,
+                         const Tables      &tables)
   {
     std::vector<Expression> expressions;
     std::string             part;
     const auto              close_part = [&]() {
-      expressions.emplace_back(std::exchange(part, ""), variables, parameter);
+      const std::string formula = std::exchange(part, "");
+      expressions.emplace_back(formula, variables, parameter, tables);
     };
     int depth = 0;
     for (const char c : formulas)
@@ -236,8 +273,10 @@ namespace Crevasse
           level.compares = true;
         else if (std::strchr(",?:)", all[i]) != nullptr)
           {
-            const bool is_condition =
-              level.compares || all[i] == '?' ||
+            const TableFunction *rows = table(level.function);
+            const bool           is_condition =
+              (rows != nullptr && rows->can_jump()) || level.compares ||
+              all[i] == '?' ||
               (level.function == "if" && level.is_first_argument) ||
               std::regex_match(level.function, jumping);
             if (is_condition && std::regex_search(part, as_word))
@@ -250,6 +289,21 @@ namespace Crevasse
           }
       }
     return false;
+  }
+
+
+
+  std::set<double>
+  Expression::kinks_in_time() const
+  {
+    static const std::regex word("\\w+");
+    std::set<double>        kinks;
+    for (std::sregex_iterator w(text.begin(), text.end(), word), end; w != end;
+         ++w)
+      if (const TableFunction *rows = table(w->str());
+          rows != nullptr && rows->is_of_time())
+        kinks.insert(rows->x.begin(), rows->x.end());
+    return kinks;
   }
 
 

@@ -44,19 +44,19 @@ namespace Crevasse
      *
      * @param size Magnitude of the values of @p f. */
     double
-    adaptive_mean(const Function &f, const double period, const double size)
+    adaptive_mean(const Function         &f,
+                  const double            period,
+                  const double            size,
+                  const std::set<double> &sections)
     {
-      constexpr unsigned int n_sections = 128; // fewer may miss a pulse
-      constexpr std::size_t  most_parts = 200;
-      const double           rounding =
-        std::numeric_limits<double>::epsilon() * size * period / n_sections;
+      constexpr std::size_t most_parts = 200;
+      const double rounding = 4. * std::numeric_limits<double>::epsilon() *
+                              size * period / sections.size();
       double sum = 0.;
-      for (unsigned int k = 0; k < n_sections; ++k)
+      for (auto end = std::next(sections.begin()); end != sections.end(); ++end)
         {
           std::priority_queue<Part> parts;
-          parts.emplace(f,
-                        period * k / n_sections,
-                        period * (k + 1) / n_sections);
+          parts.emplace(f, *std::prev(end), *end);
           while (parts.top().error > rounding && parts.size() < most_parts)
             {
               const double begin = parts.top().begin, end = parts.top().end;
@@ -75,7 +75,8 @@ namespace Crevasse
 
   double
   period_mean(const std::function<double(const double t)> &f,
-              const double                                 period)
+              const double                                 period,
+              std::set<double>                             kinks)
   {
     constexpr unsigned int coarsest = 128, finest = 8192;
     constexpr double rounding = 8. * std::numeric_limits<double>::epsilon();
@@ -110,6 +111,8 @@ namespace Crevasse
         if (agreements == 2)
           return mean;
       }
-    return adaptive_mean(f, period, largest);
+    for (unsigned int k = 0; k <= coarsest; ++k) // fewer may miss a pulse
+      kinks.insert(period * k / coarsest);
+    return adaptive_mean(f, period, largest, kinks);
   }
 } // namespace Crevasse

@@ -3,6 +3,7 @@
 
 #include <crevasse/base/checked_file.h>
 #include <crevasse/base/problems.h>
+#include <crevasse/base/text.h>
 #include <crevasse/base/text_file.h>
 #include <crevasse/checkpoint/scene_difference.h>
 
@@ -95,18 +96,23 @@ namespace Crevasse
   {
     std::ostringstream text;
     prm.print_parameters(text, dealii::ParameterHandler::ShortJSON);
-    Summary scene = Summary::parse(text.str());
+    Summary    scene = Summary::parse(text.str());
+    const auto value = [&scene](const char *pointer) {
+      const Summary::json_pointer place(pointer);
+      return scene.contains(place) ? scene[place].get<std::string>() : "";
+    };
+    const auto add = [&scene](const std::string &what,
+                              const std::string &name) {
+      std::error_code not_there;
+      if (!name.empty() && std::filesystem::is_regular_file(name, not_there))
+        scene[checksums_of_files][what] = checksum_of(name);
+    };
     for (const char *pointer : {"/Geometry/Mesh file",
                                 "/Loads/Temperature",
                                 "/Crack tip/Growth table"})
-      {
-        const Summary::json_pointer place(pointer);
-        const std::string           name =
-          scene.contains(place) ? scene[place].get<std::string>() : "";
-        std::error_code not_there;
-        if (!name.empty() && std::filesystem::is_regular_file(name, not_there))
-          scene[checksums_of_files][describe(pointer)] = checksum_of(name);
-      }
+      add(describe(pointer), value(pointer));
+    for (const std::string &name : Text::split(value("/Tables/Files"), ','))
+      add("[Tables] " + std::filesystem::path(name).filename().string(), name);
     return scene;
   }
 

@@ -68,7 +68,8 @@ namespace Crevasse
             return (formula != nullptr ? formula->value(point, t) : 1.) /
                    divisor(t);
           },
-          period);
+          period,
+          formula != nullptr ? formula->kinks_in_time() : std::set<double>());
       },
       mean);
   }

@@ -232,7 +232,7 @@ namespace Crevasse
       const Place<dim> here = place(point, t, true);
       VoigtVector<dim> sum;
       for (const FreeStrain *strain : free_strains)
-        sum += strain->is_thermal ? strain->value.at(here) * here.temperature
+        sum += strain->is_thermal ? thermal_strain(strain->value, here)
                                   : strain->value.at(here);
       for (unsigned int i = 0; i < n_stress_components<dim>; ++i)
         if (!Ranges::any_number.contains(sum[i]))

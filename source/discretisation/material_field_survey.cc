@@ -133,6 +133,23 @@ namespace Crevasse
 
 
 
+  template <int dim>
+  VoigtVector<dim>
+  MaterialField<dim>::thermal_strain(
+    const Property<VoigtVector<dim>> &expansion,
+    Place<dim>                        here) const
+  {
+    const double     reference = temperature.reference;
+    const double     origin    = law.mean_expansion_from.value_or(reference);
+    VoigtVector<dim> strain = expansion.at(here) * (here.temperature - origin);
+    if (origin == reference)
+      return strain;
+    here.temperature = reference;
+    return strain -= expansion.at(here) * (reference - origin);
+  }
+
+
+
   template RelaxationTimes
   MaterialField<2>::relaxation_times(const std::vector<double> &,
                                      const double) const;
@@ -143,4 +160,10 @@ namespace Crevasse
   MaterialField<2>::largest_thermal_strain(const std::vector<double> &) const;
   template double
   MaterialField<3>::largest_thermal_strain(const std::vector<double> &) const;
+  template VoigtVector<2>
+  MaterialField<2>::thermal_strain(const Property<VoigtVector<2>> &,
+                                   Place<2>) const;
+  template VoigtVector<3>
+  MaterialField<3>::thermal_strain(const Property<VoigtVector<3>> &,
+                                   Place<3>) const;
 } // namespace Crevasse

@@ -154,6 +154,10 @@ namespace Crevasse
       all.emplace_back(
         "harmonics need equal steps; set [Time integration] Step control = "
         "uniform, or use [Periodic state] Method = anderson");
+    else if (!steps.are_equal())
+      all.emplace_back(
+        "harmonics need equal steps, but rows of a table that force the end of "
+        "a step divide them; use [Periodic state] Method = anderson");
     for (unsigned int k = 1; k <= steps.n_steps(); ++k)
       if (steps.jumps_at(steps.instant(k)))
         {

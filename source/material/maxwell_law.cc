@@ -348,6 +348,7 @@ namespace Crevasse
     , branches(make_branches<dim>(parameters))
     , creep(parameters.creep_law())
     , creep_constants(make_creep_constants(parameters))
+    , mean_expansion_from(*parameters.mean_expansion_from)
     , plane_stress(dim == 2 &&
                    parameters.plane_state == PlaneState::plane_stress)
     , k(*parameters.stiffness_time_factor)

@@ -31,7 +31,8 @@ namespace Crevasse
       collectively(communicator, [&]() {
         temperature.emplace(*loads.temperature,
                             loads.temperature.text(),
-                            loads.period);
+                            loads.period,
+                            loads.reference->value_or(0.));
       });
       return std::move(*temperature);
     }

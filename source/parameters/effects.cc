@@ -298,7 +298,8 @@ namespace Crevasse
   bool
   has_temperature(const LoadParameters &loads)
   {
-    return !*loads.temperature || !(*loads.temperature)->is_zero();
+    return !*loads.temperature || !(*loads.temperature)->is_zero() ||
+           loads.reference->value_or(0.) != 0.;
   }
 
 

@@ -30,10 +30,11 @@ namespace Crevasse
     Formula::Parser
     formula_parser(const std::string &parameter,
                    const std::string &variables,
-                   const Range       &range)
+                   const Range       &range,
+                   const Tables      &tables)
     {
       return [=](const std::string &text) {
-        const Expression formula(text, variables, parameter);
+        const Expression formula(text, variables, parameter, tables);
         require_in_range(formula, range);
         return formula;
       };
@@ -44,11 +45,12 @@ namespace Crevasse
     Formulas::Parser
     formulas_parser(const std::string &parameter,
                     const std::string &variables,
-                    const char         separator)
+                    const char         separator,
+                    const Tables      &tables)
     {
       return [=](const std::string &text) {
         const auto formulas =
-          Expression::parse_list(text, separator, variables, parameter);
+          Expression::parse_list(text, separator, variables, parameter, tables);
         for (const Expression &formula : formulas)
           require_in_range(formula, Ranges::any_number, "every entry ");
         return formulas;
@@ -59,58 +61,66 @@ namespace Crevasse
 
 
   Formula::Parser
-  material_formula(const std::string &name, const Range &range)
+  FormulaParsers::material_formula(const std::string &name,
+                                   const Range       &range) const
   {
     return formula_parser("[Material] " + name,
                           Variables::space_time_and_material,
-                          range);
+                          range,
+                          tables);
   }
 
 
 
   Formula::Parser
-  time_factor(const std::string &name)
+  FormulaParsers::time_factor(const std::string &name) const
   {
     return formula_parser("[Material] " + name,
                           Variables::time,
-                          Ranges::positive);
+                          Ranges::positive,
+                          tables);
   }
 
 
 
   Formulas::Parser
-  material_components(const std::string &name)
+  FormulaParsers::material_components(const std::string &name) const
   {
     return formulas_parser("[Material] " + name,
                            Variables::space_time_and_material,
-                           ',');
+                           ',',
+                           tables);
   }
 
 
 
   Formulas::Parser
-  load_components(const std::string &name)
+  FormulaParsers::load_components(const std::string &name) const
   {
-    return formulas_parser("[Loads] " + name, Variables::space_and_time, ';');
+    return formulas_parser("[Loads] " + name,
+                           Variables::space_and_time,
+                           ';',
+                           tables);
   }
 
 
 
-  Expression
-  parse_gap(const std::string &text)
+  Formula::Parser
+  FormulaParsers::gap_formula() const
   {
-    return formula_parser(
-      "[Boundary] Gap",
-      Variables::space,
-      {-Ranges::largest,
-       0.,
-       "at most 0; negative values open the unloaded crack"})(text);
+    return formula_parser("[Boundary] Gap",
+                          Variables::space,
+                          {-Ranges::largest,
+                           0.,
+                           "at most 0; negative values open the unloaded "
+                           "crack"},
+                          tables);
   }
 
 
 
   FormulaMatrix::Parser
-  material_matrix(const std::string &name)
+  FormulaParsers::material_matrix(const std::string &name) const
   {
     return [parse_row = material_components(name)](const std::string &text) {
       std::vector<std::vector<Expression>> rows;
@@ -122,57 +132,76 @@ namespace Crevasse
 
 
 
-  std::vector<ChainBranch>
-  parse_chain(const std::string &text)
+  std::function<std::vector<ChainBranch>(const std::string &)>
+  FormulaParsers::chain_parser() const
   {
-    const auto               parse = material_formula("Chain");
-    std::vector<ChainBranch> branches;
-    double                   sum = 0.;
-    for (const std::string &entry : Text::split(text, ';'))
-      {
-        const std::size_t colon = entry.find(':');
-        const auto        fraction =
-          Text::to_number(Text::squeeze(entry.substr(0, colon)));
-        if (colon == std::string::npos || !fraction || !(*fraction > 0.))
-          throw SceneError("\"" + Text::shorten(entry) +
-                           "\" must be \"fraction: relaxation time\" with a "
-                           "number greater than 0 before the colon; entries "
-                           "are separated by semicolons");
-        branches.push_back({*fraction, parse(entry.substr(colon + 1))});
-        sum += *fraction;
-      }
-    constexpr double rounding = 1e-12;
-    if (sum > 1. + rounding)
-      throw SceneError("the sum of the fractions is " + Text::from_number(sum) +
-                       "; it must not exceed 1, the whole stiffness");
-    return branches;
+    return [parse = material_formula("Chain")](const std::string &text) {
+      std::vector<ChainBranch> branches;
+      double                   sum = 0.;
+      for (const std::string &entry : Text::split(text, ';'))
+        {
+          const std::size_t colon = entry.find(':');
+          const auto        fraction =
+            Text::to_number(Text::squeeze(entry.substr(0, colon)));
+          if (colon == std::string::npos || !fraction || !(*fraction > 0.))
+            throw SceneError("\"" + Text::shorten(entry) +
+                             "\" must be \"fraction: relaxation time\" with a "
+                             "number greater than 0 before the colon; entries "
+                             "are separated by semicolons");
+          branches.push_back({*fraction, parse(entry.substr(colon + 1))});
+          sum += *fraction;
+        }
+      constexpr double rounding = 1e-12;
+      if (sum > 1. + rounding)
+        throw SceneError("the sum of the fractions is " +
+                         Text::from_number(sum) +
+                         "; it must not exceed 1, the whole stiffness");
+      return branches;
+    };
   }
 
 
 
-  std::optional<Expression>
-  parse_temperature(const std::string &text)
+  Parsed<std::optional<Expression>>::Parser
+  FormulaParsers::temperature_formula() const
   {
-    const std::string suffix = Text::suffix(text);
-    if (suffix == ".csv" || suffix == ".pvd" || suffix == ".vtu" ||
-        suffix == ".pvtu")
-      throw SceneError(
-        "tables and fields of other programs must be converted first: "
-        "\"crevasse temperature " +
-        text + " --output temperature.h5\"");
-    if (Temperature<2>::is_file(text))
-      return {};
-    try
-      {
-        return Expression(text,
-                          Variables::space_and_time,
-                          "[Loads] Temperature");
-      }
-    catch (const SceneError &error)
-      {
-        throw SceneError(std::string(error.what()) +
-                         " (names of files end in .h5)");
-      }
+    return
+      [tables = tables](const std::string &text) -> std::optional<Expression> {
+        const std::string suffix = Text::suffix(text);
+        if (suffix == ".csv" || suffix == ".pvd" || suffix == ".vtu" ||
+            suffix == ".pvtu")
+          throw SceneError(
+            "tables and fields of other programs must be converted first: "
+            "\"crevasse temperature " +
+            text +
+            " --output temperature.h5\"; a history of one temperature "
+            "is a function of [Tables]");
+        if (Temperature<2>::is_file(text))
+          return {};
+        try
+          {
+            return Expression(text,
+                              Variables::space_and_time,
+                              "[Loads] Temperature",
+                              tables);
+          }
+        catch (const SceneError &error)
+          {
+            throw SceneError(std::string(error.what()) +
+                             " (names of files end in .h5)");
+          }
+      };
+  }
+
+
+
+  std::optional<double>
+  parse_optional_number(const std::string &text)
+  {
+    const auto number = Text::to_number(text);
+    if (!number && !text.empty())
+      throw SceneError("must be a number, or empty");
+    return number;
   }
 
 

@@ -244,6 +244,12 @@ namespace Crevasse
       "greater than 0" +
         formula,
       prm);
+    mean_expansion_from.add_parameter(
+      "Mean expansion from",
+      "Temperature from which Thermal expansion is a mean coefficient, as "
+      "handbooks give it. Needs Reference temperature. Empty: Reference "
+      "temperature. Allowed: a number, or empty",
+      prm);
     thermal_expansion.add_parameter(
       "Thermal expansion",
       "Thermal strain per change of temperature, in units of 1 / temperature: "
@@ -285,11 +291,18 @@ namespace Crevasse
       prm);
     temperature.add_parameter(
       "Temperature",
-      "Difference theta from the temperature without thermal strain, in units "
-      "of temperature. It strains the body by Thermal expansion, and formulas "
+      "Difference theta from the temperature without thermal strain, or with "
+      "Reference temperature the absolute temperature, in units of "
+      "temperature. It strains the body by Thermal expansion, and formulas "
       "of the material may depend on it. Allowed: a formula of x, y, z, t; or "
       "an .h5 file that \"crevasse temperature\" makes from a table or from "
       "the fields of another program",
+      prm);
+    reference.add_parameter(
+      "Reference temperature",
+      "Temperature without thermal strain. If it is set, Temperature and theta "
+      "are absolute. Empty: they are the change from it. Allowed: a number, or "
+      "empty",
       prm);
     body_force.add_parameter("Body force",
                              "Force per volume, in units of stress / length" +

@@ -152,7 +152,7 @@ namespace Crevasse
         shifted.push_back(body.substr(0, time) + '(' + body.substr(time) +
                           ")*(" + chain_shift.text() + ')');
     return chain_shift.text() == "1" ? *chain
-                                     : parse_chain(Text::join(shifted, ";"));
+                                     : chain_parser()(Text::join(shifted, ";"));
   }
 
 
@@ -169,6 +169,7 @@ namespace Crevasse
     checker.demand_valid("Stiffness matrix", stiffness_matrix);
     checker.demand_valid("Stiffness time factor", stiffness_time_factor);
     checker.demand_valid("Viscosity time factor", viscosity_time_factor);
+    checker.demand_valid("Mean expansion from", mean_expansion_from);
     for (const FreeStrain &strain : free_strains())
       checker.demand_valid(strain.parameter, strain.components);
 
@@ -224,6 +225,10 @@ namespace Crevasse
     for (const Force &force : forces())
       checker.demand_valid(force.parameter, force.components);
     checker.demand_valid("Temperature", temperature);
+    checker.demand_valid("Reference temperature", reference);
+    checker.demand(reference.text().empty() || temperature.text() != "0",
+                   "Reference temperature",
+                   "needs the absolute temperature in Temperature");
     if (temperature.is_valid() && !*temperature)
       demand_file(section, "Temperature", temperature.text(), problems);
   }

@@ -355,6 +355,7 @@ namespace Crevasse
     add(boundary);
     add(material);
     add(loads);
+    add(tables);
     add(discretisation);
     add(refinement);
     add(contact);
@@ -375,11 +376,18 @@ namespace Crevasse
     boundary.check(problems);
     material.check(problems);
     loads.check(problems);
+    if (!problems.concern(LoadParameters::section, "Period"))
+      tables.check(loads.period, problems);
     discretisation.check(problems);
     refinement.check(problems);
     time_integration.check(problems);
     periodic_state.check(problems);
     crack_tip.check(problems);
+    Checker(MaterialParameters::section, problems)
+      .demand(material.mean_expansion_from.text().empty() ||
+                !loads.reference.text().empty(),
+              "Mean expansion from",
+              "is a temperature, which needs [Loads] Reference temperature");
     if (problems.concern("", "Dimension"))
       return;
     check_subdivisions(*this, problems);

@@ -145,9 +145,6 @@ namespace Crevasse
           ParameterHandler              &prm,
           Problems                      &problems)
     {
-      for (const auto &[section, parameters] : catalogue.items())
-        for (const auto &[name, entry] : parameters.items())
-          problems.note(section, name, entry["default_value"]);
       std::set<std::string> reported;
       for (const Assignment &assignment : assignments)
         if (!catalogue.contains(assignment.section))
@@ -239,7 +236,7 @@ namespace Crevasse
              "quantities are in the user's own\nconsistent units of length, "
              "stress, time and temperature; values without a unit are pure "
              "numbers,\nchoices or texts. [Scenes](scenes.md) explains "
-             "formulas: theta is the change of\ntemperature, material the "
+             "formulas: theta is [Loads]\nTemperature, material the "
              "material id of the cell in a mesh file.\n";
       const Catalogue catalogue = make_catalogue(prm);
       for (const auto &[section, parameters] : catalogue.items())
@@ -258,10 +255,23 @@ namespace Crevasse
     Scene scene;
     scene.add_parameters(prm);
     const Catalogue catalogue = make_catalogue(prm);
-    apply(read_assignments(file_name, overrides, problems),
-          catalogue,
-          prm,
-          problems);
+    for (const auto &[section, parameters] : catalogue.items())
+      for (const auto &[name, entry] : parameters.items())
+        problems.note(section, name, entry["default_value"]);
+    // Formulas call the functions of tables.
+    std::vector<Assignment> of_tables, others;
+    for (Assignment &each : read_assignments(file_name, overrides, problems))
+      (each.section == TableParameters::section ? of_tables : others)
+        .push_back(std::move(each));
+    apply(of_tables, catalogue, prm, problems);
+    for (std::string &file : scene.tables.files)
+      file = find_file(file_name, file);
+    set(TableParameters::section,
+        "Files",
+        Text::join(scene.tables.files, ", "),
+        prm);
+    scene.tables.read(problems);
+    apply(others, catalogue, prm, problems);
 
     resolve_file(file_name,
                  GeometryParameters::section,

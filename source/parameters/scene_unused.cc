@@ -70,10 +70,10 @@ namespace Crevasse
          kind != ViscosityType::chain,
          viscosity},
         {"Material/Viscosity time factor", is_elastic, viscosity},
-        {"Material/Thermal expansion",
+        {"Material/Thermal expansion, Mean expansion from",
          !has_temperature(scene.loads),
          "[Loads] Temperature = 0"},
-        {"Loads/Temperature",
+        {"Loads/Temperature, Reference temperature",
          !theta_acts,
          "[Material] Thermal expansion = 0, and no coefficient depends on "
          "theta"},

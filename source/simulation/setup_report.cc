@@ -160,6 +160,36 @@ namespace Crevasse
 
 
 
+    /** Ranges of a function, and its largest value that steps miss. */
+    std::string
+    describe_table(const std::string   &name,
+                   const TableFunction &table,
+                   const StepList      &steps)
+    {
+      const auto &[least, largest] =
+        std::minmax_element(table.y.begin(), table.y.end());
+      Text::Message text;
+      text << "  table " << name << '(' << table.quantity
+           << "): " << table.x.size() << " rows from " << table.x.front()
+           << " to " << table.x.back() << ", values from " << *least << " to "
+           << *largest;
+      TableFunction::Miss worst;
+      for (unsigned int k = 0; k < steps.n_steps() && table.is_of_time(); ++k)
+        if (const auto miss =
+              table.missed_between(steps.instant(k),
+                                   steps.just_before(steps.instant(k + 1)));
+            miss.difference > worst.difference)
+          worst = miss;
+      const double     part       = worst.difference / (*largest - *least);
+      constexpr double negligible = 1e-3;
+      return part > negligible ? text << "; steps miss up to "
+                                      << Text::from_number(100. * part, 3)
+                                      << " % of them, at t = " << worst.x
+                               : text;
+    }
+
+
+
     template <int dim>
     std::string
     describe_time(const Run<dim> &run)
@@ -240,6 +270,8 @@ namespace Crevasse
     log.line("  boundaries: " + describe_boundaries<dim>(scene));
     for (const RigidMotion &motion : run.body.held_by_contact)
       log.line("  held by contact alone: " + motion.name);
+    for (const auto &[name, table] : *scene.tables.functions)
+      log.line(describe_table(name, table, run.steps));
     if (scene.geometry.shape == Shape::mesh_file)
       log.line("  materials: " +
                describe_materials(scene, run.body.space.mesh()));

@@ -38,6 +38,27 @@ namespace Crevasse
           " is stable, but under given loads the body creeps by at most about "
           "one elastic strain a step; use Scheme = sdirk2");
     }
+
+
+
+    /** Warns of sizes that no solid has in the units of the scene. */
+    template <int dim>
+    void
+    doubt_units(const Run<dim> &run, std::vector<std::string> &all)
+    {
+      double stiffness = 0.;
+      for (const VoigtMatrix<dim> &K :
+           run.body.material.at(0.).stiffness->distinct())
+        stiffness = std::max(stiffness, K.norm());
+      stiffness =
+        dealii::Utilities::MPI::max(stiffness, run.body.space.communicator());
+      for (const std::string &doubt :
+           Units(run.scene.units)
+             .doubts(RigidParts<dim>(run.body.space.mesh()).size(),
+                     stiffness,
+                     run.steps.period()))
+        all.push_back(doubt);
+    }
   } // namespace
 
 
@@ -95,26 +116,17 @@ namespace Crevasse
         "[Discretisation] Singular functions = 3 with contact: the third "
         "function moves the closed lip between its nodes, so that pressure and "
         "K_I have errors of some tenths of a per cent; use 2");
-    if (has_thermal_expansion(run.scene.material))
+    if (has_thermal_expansion(run.scene.material) &&
+        run.scene.loads.reference.text().empty())
       if (const double least = least_temperature(run.body, run.steps.period());
           least > 200.)
         all.push_back(Text::Message()
                       << "[Loads] Temperature is at least " << least
                       << " everywhere and always, as a temperature in kelvin "
                          "would be, but it is the change from the temperature "
-                         "without thermal strain; subtract that temperature");
-    double stiffness = 0.;
-    for (const VoigtMatrix<dim> &K :
-         run.body.material.at(0.).stiffness->distinct())
-      stiffness = std::max(stiffness, K.norm());
-    stiffness =
-      dealii::Utilities::MPI::max(stiffness, run.body.space.communicator());
-    for (const std::string &doubt :
-         Units(run.scene.units)
-           .doubts(RigidParts<dim>(run.body.space.mesh()).size(),
-                   stiffness,
-                   run.steps.period()))
-      all.push_back(doubt);
+                         "without thermal strain; set Reference temperature to "
+                         "that temperature");
+    doubt_units(run, all);
     if (!run.split.warning.empty())
       all.push_back(run.split.warning);
     warn_of_large_steps(run, all);

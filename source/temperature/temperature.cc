@@ -10,8 +10,10 @@ namespace Crevasse
   template <int dim>
   Temperature<dim>::Temperature(const std::optional<Expression> &formula,
                                 const std::string               &file_name,
-                                const double                     period)
-    : formula(formula)
+                                const double                     period,
+                                const double                     reference)
+    : reference(reference)
+    , formula(formula)
   {
     if (!formula)
       file = std::make_shared<const TemperatureSeries<dim>>(file_name, period);

@@ -10,17 +10,16 @@ namespace Crevasse
 {
   namespace
   {
+    /** Whether sorted instants have one that is @p t up to rounding. */
     bool
     contains(const std::vector<double> &instants,
              const double               t,
              const double               period)
     {
       const double rounding = 1e-12 * period;
-      return std::any_of(instants.begin(),
-                         instants.end(),
-                         [&](const double other) {
-                           return std::abs(t - other) <= rounding;
-                         });
+      const auto   next =
+        std::lower_bound(instants.begin(), instants.end(), t - rounding);
+      return next != instants.end() && *next <= t + rounding;
     }
 
 
@@ -33,8 +32,7 @@ namespace Crevasse
     {
       for (const double t : others)
         if (!contains(some, t, period))
-          some.push_back(t);
-      std::sort(some.begin(), some.end());
+          some.insert(std::upper_bound(some.begin(), some.end(), t), t);
       return some;
     }
   } // namespace
@@ -43,7 +41,8 @@ namespace Crevasse
 
   StepList::StepList(const TimeIntegrationParameters &parameters,
                      const double                     period,
-                     const std::vector<double>       &more)
+                     const std::vector<double>       &more,
+                     const std::vector<double>       &ends)
     : instants{0., period}
   {
     const StepControlType control = parameters.step_control;
@@ -53,7 +52,7 @@ namespace Crevasse
     if (control == StepControlType::adaptive)
       for (const double t : more)
         asked_for.push_back(within_period(t));
-    fixed = unite(instants, asked_for, period);
+    fixed = unite(unite(instants, ends, period), asked_for, period);
     if (control == StepControlType::list)
       {
         instants = fixed;
@@ -65,7 +64,7 @@ namespace Crevasse
     for (unsigned int k = 0; k <= n; ++k)
       instants[k] = period * k / n;
     // Adaptive steps divide equal steps, so as not to step over a pulse.
-    if (control == StepControlType::adaptive)
+    if (control == StepControlType::adaptive || fixed.size() > 2)
       fixed = instants = unite(fixed, instants, period);
   }
 

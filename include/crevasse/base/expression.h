@@ -4,12 +4,11 @@
 #ifndef crevasse_base_expression_h
 #define crevasse_base_expression_h
 
+#include <crevasse/base/table_function.h>
+
 #include <deal.II/base/point.h>
 
-#include <memory>
 #include <set>
-#include <string>
-#include <vector>
 
 namespace Crevasse
 {
@@ -19,7 +18,7 @@ namespace Crevasse
   {
     dealii::Point<dim> point;
     double             t           = 0.;
-    double             temperature = 0.; ///< theta, the change of temperature
+    double             temperature = 0.; ///< theta
     unsigned int       material    = 0;  ///< the material id of the cell
   };
 
@@ -44,11 +43,17 @@ namespace Crevasse
     };
 
     /** @param parameter Parameter with this formula, "[Section] Name".
+     * @param tables Further functions that the formula may call, or null.
      * @throw SceneError with the message of muParser if the formula does not
      * parse or uses an unknown name. */
     explicit Expression(const std::string &formula,
                         const std::string &allowed = Variables::space_and_time,
-                        const std::string &parameter = "");
+                        const std::string &parameter = "",
+                        const Tables      &tables    = nullptr);
+
+    /** Whether all formulas know a variable, constant or function. */
+    static bool
+    is_known_name(const std::string &name);
 
     /** Value of the formula.
      * @throw SceneError naming parameter, formula, point and instant when the
@@ -91,9 +96,14 @@ namespace Crevasse
     is_zero() const;
 
     /** Whether the formula can jump where @p variable passes some value: a
-     * condition, sign, rint, floor or ceil depends on it. */
+     * condition, sign, rint, floor, ceil or a table with a jump depends on it.
+     */
     bool
     can_jump_with(const std::string &variable) const;
+
+    /** Sorted rows of the tables over t in the formula: kinks. */
+    std::set<double>
+    kinks_in_time() const;
 
     const std::string &
     formula() const
@@ -114,9 +124,14 @@ namespace Crevasse
     parse_list(const std::string &formulas,
                const char         separator,
                const std::string &variables = Variables::space_and_time,
-               const std::string &parameter = "");
+               const std::string &parameter = "",
+               const Tables      &tables    = nullptr);
 
   private:
+    /** Function of a table that the formula may call, or null. */
+    const TableFunction *
+    table(const std::string &function) const;
+
     struct Parser; // keeps muParser.h out of every includer
     std::shared_ptr<Parser> parser;
     std::string             text;

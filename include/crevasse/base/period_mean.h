@@ -5,6 +5,7 @@
 #define crevasse_base_period_mean_h
 
 #include <functional>
+#include <set>
 
 namespace Crevasse
 {
@@ -12,10 +13,13 @@ namespace Crevasse
    * Mean (1/T) ∫ f dt of a function over a period. The trapezoidal rule is
    * refined until it settles to rounding, which is fast for smooth periodic
    * functions; otherwise an adaptive Gauss–Kronrod rule is used.
+   *
+   * @param kinks Instants from 0 to T with kinks and jumps, if they are known.
    */
   double
   period_mean(const std::function<double(const double t)> &f,
-              const double                                 period);
+              const double                                 period,
+              std::set<double>                             kinks = {});
 } // namespace Crevasse
 
 #endif

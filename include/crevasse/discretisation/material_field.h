@@ -206,6 +206,13 @@ namespace Crevasse
     std::shared_ptr<const PointValues<Value>>
     evaluate(const Property<Value> &property, const double t) const;
 
+    /** Thermal strain α(θ)(θ − θ_d) − α(θ_r)(θ_r − θ_d) of a mean coefficient
+     * α from θ_d, with the reference θ_r: as Abaqus (*EXPANSION, ZERO) and
+     * Code_Aster (R4.08.01) have it. */
+    VoigtVector<dim>
+    thermal_strain(const Property<VoigtVector<dim>> &expansion,
+                   Place<dim>                        here) const;
+
     std::shared_ptr<const Vectors>
     evaluate_thermal_strain(const double t) const;
 

@@ -40,7 +40,7 @@ namespace Crevasse
     struct FreeStrain
     {
       Property<VoigtVector<dim>> value;      ///< with engineering shears
-      bool                       is_thermal; ///< to be multiplied by θ
+      bool                       is_thermal; ///< whether θ causes it
     };
 
     /** @throw SceneError if the size of a matrix is wrong. */
@@ -65,6 +65,10 @@ namespace Crevasse
 
     /** Parts of the free strain f. */
     std::vector<FreeStrain> free_strains;
+
+    /** Temperature from which coefficients of thermal expansion are means; no
+     * value: that without strain. */
+    const std::optional<double> mean_expansion_from;
 
     // Factors k(t) and η₀(t). @throw SceneError if not positive.
     double

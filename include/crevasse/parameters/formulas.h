@@ -25,42 +25,51 @@ namespace Crevasse
     Expression relaxation_time;
   };
 
-  // Parsers of parameters. They check the range of numbers; values of formulas
-  // are checked when points are known.
+  /** Parsers of parameters that are formulas, which may call functions of
+   * tables. They check the range of numbers; values of formulas are checked
+   * when points are known. */
+  struct FormulaParsers
+  {
+    /** Read before the formulas. */
+    Tables tables;
 
-  Formula::Parser
-  material_formula(const std::string &name,
-                   const Range       &range = Ranges::positive);
+    Formula::Parser
+    material_formula(const std::string &name,
+                     const Range       &range = Ranges::positive) const;
 
-  /** Parses a formula of t. */
-  Formula::Parser
-  time_factor(const std::string &name);
+    /** Parses a formula of t. */
+    Formula::Parser
+    time_factor(const std::string &name) const;
 
-  /** Parses a number or components of a symmetric tensor, as "1, 2, 3, 4". */
-  Formulas::Parser
-  material_components(const std::string &name);
+    /** Parses a number or components of a symmetric tensor, as "1, 2, 3, 4". */
+    Formulas::Parser
+    material_components(const std::string &name) const;
 
-  /** Parses a matrix: rows separated by semicolons, entries by commas. */
-  FormulaMatrix::Parser
-  material_matrix(const std::string &name);
+    /** Parses a matrix: rows separated by semicolons, entries by commas. */
+    FormulaMatrix::Parser
+    material_matrix(const std::string &name) const;
 
-  /** Parses a formula for each direction, separated by semicolons. */
-  Formulas::Parser
-  load_components(const std::string &name);
+    /** Parses a formula for each direction, separated by semicolons. */
+    Formulas::Parser
+    load_components(const std::string &name) const;
 
-  // The next parsers throw a SceneError that says what is expected.
+    /** Parses the gap: a formula of the point, with values of at most 0. */
+    Formula::Parser
+    gap_formula() const;
 
-  /** Parses the gap: a formula of the point, with values of at most 0. */
-  Expression
-  parse_gap(const std::string &text);
+    /** Parses a chain: "fraction: time; fraction: time". */
+    std::function<std::vector<ChainBranch>(const std::string &)>
+    chain_parser() const;
 
-  /** Parses a chain: "fraction: time; fraction: time". */
-  std::vector<ChainBranch>
-  parse_chain(const std::string &text);
+    /** Parses the temperature: a formula, or no value for the name of a file.
+     */
+    Parsed<std::optional<Expression>>::Parser
+    temperature_formula() const;
+  };
 
-  /** Parses the temperature: a formula, or no value for the name of a file. */
-  std::optional<Expression>
-  parse_temperature(const std::string &text);
+  /** Parses a number; an empty text gives no value. @throw SceneError */
+  std::optional<double>
+  parse_optional_number(const std::string &text);
 
   // Checks of sizes against the dimension throw a SceneError.
 

@@ -15,9 +15,7 @@
 
 namespace Crevasse
 {
-  /** Parses subdivisions; "automatic" gives an empty list.
-   *
-   * @throw SceneError that says what is expected. */
+  /** Parses subdivisions; "automatic" gives an empty list. @throw SceneError */
   std::vector<unsigned int>
   parse_subdivisions(const std::string &text);
 
@@ -26,9 +24,7 @@ namespace Crevasse
    * struct, which declares its entries (name, default, documentation, range) in
    * add_parameters(), called inside the section. Its check() judges
    * combinations of values, and appends all errors to a list instead of
-   * stopping at the first.
-   *
-   * All quantities are in the user's own consistent units.
+   * stopping at the first. All quantities are in the user's consistent units.
    */
   struct GeometryParameters
   {
@@ -62,7 +58,7 @@ namespace Crevasse
   };
 
   /** Parameters of section Boundary: roles of boundary ids, fixed points. */
-  struct BoundaryParameters
+  struct BoundaryParameters : FormulaParsers
   {
     static constexpr const char *section = "Boundary";
 
@@ -73,7 +69,7 @@ namespace Crevasse
     Parsed<BoundaryList>   crack{"none", parse_boundary_list};
     Parsed<FixedPointList> fixed_points{"automatic", parse_fixed_points};
     /** Lower bound of u_N on the lip. */
-    Formula gap{"0", parse_gap};
+    Formula gap{"0", gap_formula()};
 
     void
     add_parameters(dealii::ParameterHandler &prm);
@@ -96,12 +92,16 @@ namespace Crevasse
     {"Contact", &BoundaryParameters::contact, &BoundaryRoles::contact},
     {"Crack", &BoundaryParameters::crack, &BoundaryRoles::crack}};
 
-  struct MaterialParameters
+  struct MaterialParameters : FormulaParsers
   {
     static constexpr const char *section = "Material";
 
     PlaneState    plane_state = PlaneState::plane_stress;
     ViscosityType viscosity   = ViscosityType::relaxation_time;
+    /** Temperature from which Thermal expansion is a mean; no value: reference.
+     */
+    Parsed<std::optional<double>> mean_expansion_from{"",
+                                                      parse_optional_number};
 
     Formula       young_modulus{"1", material_formula("Young modulus")};
     Formula       poisson_ratio{"0.3",
@@ -114,10 +114,10 @@ namespace Crevasse
     Formula viscous_poisson_ratio{"0.3",
                                   material_formula("Viscous Poisson ratio",
                                                    Ranges::viscous_ratio)};
-    std::map<std::string, Formula> of_creep; ///< see CreepLawParameter
+    std::map<std::string, Formula> of_creep{}; ///< see CreepLawParameter
     FormulaMatrix viscosity_matrix{"", material_matrix("Viscosity matrix")};
     Formula viscosity_time_factor{"1", time_factor("Viscosity time factor")};
-    Parsed<std::vector<ChainBranch>> chain{"", parse_chain};
+    Parsed<std::vector<ChainBranch>> chain{"", chain_parser()};
     Formula  chain_shift{"1", material_formula("Chain shift")};
     Formulas thermal_expansion{"0", material_components("Thermal expansion")};
 
@@ -127,7 +127,7 @@ namespace Crevasse
       const char     *parameter;
       const char     *effect; ///< name of the effect in the log
       const Formulas &components;
-      bool            is_thermal; ///< whether theta multiplies it
+      bool            is_thermal; ///< whether theta causes it
     };
 
     /** All free strains: code that handles one handles each. */
@@ -152,18 +152,18 @@ namespace Crevasse
     check(Problems &problems) const;
   };
 
-  struct LoadParameters
+  struct LoadParameters : FormulaParsers
   {
     static constexpr const char *section = "Loads";
 
     double period = 1.;
-    /** Traction: formulas of x, y, z, t, one per component, separated by ";";
-     * empty without such a load. */
+    // A formula of x, y, z, t for each component; empty without such a load.
     Formulas traction{"", load_components("Traction")};
     Formulas body_force{"", load_components("Body force")};
-    /** Change of temperature: a formula of x, y, z, t; no value if the text is
-     * the name of a file. */
-    Parsed<std::optional<Expression>> temperature{"0", parse_temperature};
+    /** Temperature: a formula of x, y, z, t; no value: the name of a file. */
+    Parsed<std::optional<Expression>> temperature{"0", temperature_formula()};
+    /** Absolute temperature without strain; no value: theta is a change. */
+    Parsed<std::optional<double>> reference{"", parse_optional_number};
 
     /** A force on the body. A force in the volume is an effect. */
     struct Force

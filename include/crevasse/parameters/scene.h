@@ -5,6 +5,7 @@
 #define crevasse_parameters_scene_h
 
 #include <crevasse/parameters/parameters.h>
+#include <crevasse/parameters/table_parameters.h>
 
 namespace Crevasse
 {
@@ -17,10 +18,11 @@ namespace Crevasse
     /** Output directory; empty: `results/NAME` for NAME.prm. */
     std::string output_directory;
 
+    TableParameters           tables;
     GeometryParameters        geometry;
-    BoundaryParameters        boundary;
-    MaterialParameters        material;
-    LoadParameters            loads;
+    BoundaryParameters        boundary{{tables.functions}};
+    MaterialParameters        material{{tables.functions}};
+    LoadParameters            loads{{tables.functions}};
     DiscretisationParameters  discretisation;
     RefinementParameters      refinement;
     ContactParameters         contact;

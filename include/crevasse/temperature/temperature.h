@@ -14,28 +14,34 @@ namespace Crevasse
   template <int dim>
   class TemperatureSeries;
 
-  /** Change of temperature θ(x,t), given by a formula or by a file of fields
-   * that another program computed (.h5). */
+  /** Temperature θ(x,t), or its change if the reference is 0, given by a
+   * formula or by a file of fields that another program computed (.h5). */
   template <int dim>
   class Temperature
   {
   public:
     /** @param formula Empty if a file gives the temperature.
+     * @param reference Temperature without thermal strain.
      * @throw SceneError if the file cannot be used, FileError if it cannot be
      * read. */
     Temperature(const std::optional<Expression> &formula,
                 const std::string               &file_name,
-                const double                     period);
+                const double                     period,
+                const double                     reference = 0.);
 
-    /** Change of temperature. @throw SceneError if the point is outside the
+    /** Temperature without thermal strain. */
+    double reference;
+
+    /** Temperature θ. @throw SceneError if the point is outside the
      * mesh of the file, or if a formula has no finite value. */
     double
     value(const dealii::Point<dim> &point, const double t) const;
 
+    /** Whether neither temperature nor its change ever differs from 0. */
     bool
     is_zero() const
     {
-      return formula && formula->is_zero();
+      return formula && formula->is_zero() && reference == 0.;
     }
 
     bool

@@ -17,16 +17,19 @@ namespace Crevasse
     /** Creates uniform steps, or the scene's list completed by 0 and the
      * period; for adaptive steps both, as a first guess.
      *
-     * @param more instants at which adaptive steps end. */
+     * @param more instants at which adaptive steps end.
+     * @param ends instants at which a step ends in any case. */
     StepList(const TimeIntegrationParameters &parameters,
              const double                     period,
-             const std::vector<double>       &more = {});
+             const std::vector<double>       &more = {},
+             const std::vector<double>       &ends = {});
 
     /** Creates the steps of a scene. */
     explicit StepList(const Scene &scene)
       : StepList(scene.time_integration,
                  scene.loads.period,
-                 scene.output.field_times->instants(scene.loads.period))
+                 scene.output.field_times->instants(scene.loads.period),
+                 scene.tables.step_ends)
     {
     }
 
@@ -97,6 +100,13 @@ namespace Crevasse
     step(const unsigned int k) const
     {
       return instants[k + 1] - instants[k];
+    }
+
+    /** Whether all steps are equal up to rounding. */
+    bool
+    are_equal() const
+    {
+      return largest_step() * n_steps() < period() * (1. + 1e-9);
     }
 
     double
