@@ -42,17 +42,15 @@ namespace Crevasse
     /** Mean over a period of a function with kinks and jumps: bisects where the
      * error is largest until only rounding is left, or nothing more is gained.
      *
-     * @param size Magnitude of the values of @p f. */
+     * @param sections Instants from 0 to the period.
+     * @param rounding of the integral over a section. */
     double
     adaptive_mean(const Function         &f,
-                  const double            period,
-                  const double            size,
-                  const std::set<double> &sections)
+                  const std::set<double> &sections,
+                  const double            rounding)
     {
       constexpr std::size_t most_parts = 200;
-      const double rounding = 4. * std::numeric_limits<double>::epsilon() *
-                              size * period / sections.size();
-      double sum = 0.;
+      double                sum        = 0.;
       for (auto end = std::next(sections.begin()); end != sections.end(); ++end)
         {
           std::priority_queue<Part> parts;
@@ -67,7 +65,7 @@ namespace Crevasse
           for (; !parts.empty(); parts.pop())
             sum += parts.top().integral;
         }
-      return sum / period;
+      return sum / *sections.rbegin();
     }
   } // namespace
 
@@ -111,8 +109,13 @@ namespace Crevasse
         if (agreements == 2)
           return mean;
       }
+    // Between near rows of a table, rounding of t is seen.
+    const double part = kinks.empty() ? 1. / coarsest : 4.;
     for (unsigned int k = 0; k <= coarsest; ++k) // fewer may miss a pulse
       kinks.insert(period * k / coarsest);
-    return adaptive_mean(f, period, largest, kinks);
+    return adaptive_mean(f,
+                         kinks,
+                         part * std::numeric_limits<double>::epsilon() *
+                           largest * period);
   }
 } // namespace Crevasse

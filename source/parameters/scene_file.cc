@@ -231,13 +231,14 @@ namespace Crevasse
     void
     print_markdown(std::ostream &out, const ParameterHandler &prm)
     {
-      out << "# Parameters\n\n"
-             "Written by `crevasse --print-parameters markdown`. All "
-             "quantities are in the user's own\nconsistent units of length, "
-             "stress, time and temperature; values without a unit are pure "
-             "numbers,\nchoices or texts. [Scenes](scenes.md) explains "
-             "formulas: theta is [Loads]\nTemperature, material the "
-             "material id of the cell in a mesh file.\n";
+      out
+        << "# Parameters\n\n"
+           "Written by `crevasse --print-parameters markdown`. All "
+           "quantities are in the user's own\nconsistent units of length, "
+           "stress, time and temperature; values without a unit are pure "
+           "numbers,\nchoices or texts. [Scenes](scenes.md) explains "
+           "formulas: theta is the temperature\nthat Loads gives, material the "
+           "material id of the cell in a mesh file.\n";
       const Catalogue catalogue = make_catalogue(prm);
       for (const auto &[section, parameters] : catalogue.items())
         print_table(out, section, parameters);

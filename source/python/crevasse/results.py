@@ -16,7 +16,7 @@ import xml.etree.ElementTree as ElementTree
 import numpy
 
 
-NAMES = ("Title", "Output directory", "Mesh file", "Temperature")
+NAMES = ("Title", "Output directory", "Mesh file", "Temperature", "Files")
 NUMBER = re.compile(r"(?<![\w.])(\d+\.?\d*|\.\d+)([eE][-+]?\d+)?(?![\w.])")
 A_NUMBER, A_TEXT, YES_OR_NO = "number", "text", "yes or no"
 EACH = "each"  # whatever its name is
