@@ -333,13 +333,8 @@ namespace Crevasse
     prm.add_parameter(
       "Units",
       units,
-      "Units of length, stress, time and temperature in which the scene is "
-      "written, such as mm, MPa, h, K: they label results, and convert "
-      "nothing. "
-      "Forces are then stress times length squared. Empty: not known. Allowed: "
-      "m, cm, mm, um, in; Pa, kPa, MPa, GPa, kgf/mm2, psi, ksi; s, min, h, d, "
-      "a; "
-      "K, C, F");
+      "Units of length, stress, time and temperature, which label results and "
+      "convert nothing. Empty: not known. Allowed: names as in mm, MPa, h, K");
     prm.add_parameter(
       "Output directory",
       output_directory,
