@@ -231,7 +231,8 @@ namespace Crevasse
     static const std::regex ours(
       "summary\\.json(\\.part)?|log\\.txt|solution\\.pvd|used\\.prm|"
       "solution_[0-9.]+\\.p?vtu|show_in_paraview\\.py|(probe_.*|contact|lip|"
-      "periods|missions|relaxation|load_work|(crack_tip|creep_integral)(_[0-9]+)?|"
+      "periods|missions|relaxation|load_work|(crack_tip|creep_integral)(_[0-9]+"
+      ")?|"
       "crack_front)\\.csv|report\\.html");
     std::vector<fs::path> results;
     for (const fs::directory_entry &entry : fs::directory_iterator(directory))
