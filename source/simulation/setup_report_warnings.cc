@@ -46,9 +46,9 @@ namespace Crevasse
     void
     doubt_units(const Run<dim> &run, std::vector<std::string> &all)
     {
-      double stiffness = 0.;
-      for (const VoigtMatrix<dim> &K :
-           run.body.material.at(0.).stiffness->distinct())
+      double     stiffness = 0.;
+      const auto material  = run.body.material.at(0.);
+      for (const VoigtMatrix<dim> &K : material.stiffness->distinct())
         stiffness = std::max(stiffness, K.norm());
       stiffness =
         dealii::Utilities::MPI::max(stiffness, run.body.space.communicator());
