@@ -160,8 +160,8 @@ def test_build():
     process = python("from crevasse.program import find_program; import crevasse; "
                      "print(find_program(), *dir(crevasse))", cwd="/")
     output, error = process.communicate(timeout=1200)
-    check(output.split() == [str(PROGRAM), "CommandError", "Results", "ResultsError",
-                             "read", "run"], output + error)
+    check(output.split() == [str(PROGRAM), "CommandError", "Life", "Results",
+                             "ResultsError", "life", "read", "run"], output + error)
 
 
 def test_interrupt():

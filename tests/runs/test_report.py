@@ -356,7 +356,7 @@ def charts_of_many_lines():
     check(len(axes.get_legend().get_texts()) == 10
           and legend.x0 >= axes.get_window_extent().x1, "the legend hides lines")
     for K, constant in (([3, 3 + 1e-9], True), ([3, 4], False)):
-        chart = histories.chart(types.SimpleNamespace(period=1), {
+        chart = histories.chart(types.SimpleNamespace(period=1, in_units=str), {
             "t": numpy.array([0, 1]), "K_I": numpy.array(K)}, ["K_I"], "K", "K")
         check(chart["from_zero"] == constant, f"axis of {K} with equal ticks")
 

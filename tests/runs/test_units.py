@@ -4,7 +4,7 @@ import contextlib
 import io
 
 from crevasse_run import SOURCE, check, check_close, execute, overrides, run
-from test_report import report
+from crevasse import report
 
 BODY = SOURCE / "prm" / "raous1980_body.prm"
 SETTINGS = ["Discretisation/Singular functions=2", "Contact/Solver=automatic",
@@ -27,9 +27,12 @@ def test_units():
     check(f"to {largest:.5g} MPa sqrt(mm) (" in log
           and f" to {factor * largest:.4g} MPa sqrt(m))" in log, "K in both units")
     with contextlib.redirect_stdout(io.StringIO()):
-        page, words = (report(named.directory)[0], report(plain.directory)[0])
+        check(report.main([str(named.directory)]) == 0
+              and report.main([str(plain.directory)]) == 0, "reports")
+    page, words = ((results.directory / "report.html").read_text()
+                   for results in (named, plain))
     check(f"MPa × √mm; {factor * largest:.4g} MPa √m" in page and "u (mm)" in page
-          and "MPa" not in words and "u (length)" in words, "units in the report")
+          and "(mm)" not in words and "u (length)" in words, "units in the report")
 
 
 def test_doubts():
@@ -47,3 +50,8 @@ def test_doubts():
                           "known are s, min, h, d, a")):
         status, _, error = execute("--check", BODY, *overrides([f"Units={units}"]))
         check(status == 2 and words in error, error)
+
+
+if __name__ == "__main__":
+    test_units()
+    test_doubts()
