@@ -16,8 +16,8 @@ namespace Crevasse
    * in the norm of the elastic energy: strain without stress may flow on.
    *
    * If creep is not linear, the body is averaged anew after each period, with
-   * one pole. The steps are then nearly those of Newton's method, to which
-   * differences of several periods are little help.
+   * one pole. The steps are then nearly those of Newton's method, to which the
+   * difference of two periods is some help, and differences of more are none.
    *
    * The estimated error of a period's stress is the largest stress that the
    * step from its beginning would cause, and at least a hundredth of the change
@@ -35,7 +35,7 @@ namespace Crevasse
       : periods(periods)
       , averaged(averaged)
       , acceleration(
-          {averaged.is_linear ? anderson_depth : std::min(anderson_depth, 2u),
+          {averaged.is_linear ? anderson_depth : std::min(anderson_depth, 1u),
            false})
     {
     }
