@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Crevasse authors
 
-#include <crevasse/base/csv_columns.h>
 #include <crevasse/base/text.h>
+#include <crevasse/base/text_file.h>
 #include <crevasse/crack_tip/growth_law.h>
 
 #include <algorithm>
@@ -145,26 +145,33 @@ namespace Crevasse
                       const double              period,
                       const std::string        &file_name)
   {
-    const auto columns = read_csv_columns(file_name, {});
+    const Summary drivers = Summary::parse(read_text_file(file_name));
+    const auto    column  = [&drivers](const char *name) {
+      std::vector<double> values;
+      for (const Summary &value : drivers.at(name))
+        values.push_back(value.is_null() ? TipHistory::not_known
+                                         : value.get<double>());
+      return values;
+    };
     TipHistory history;
-    if (columns.count("t") > 0)
+    if (drivers.contains("t"))
       {
-        history.instants       = columns.at("t");
-        const bool is_of_K     = columns.count("K") > 0;
-        history.intensity      = columns.at(is_of_K ? "K" : "C_t");
-        history.creep_integral = history.intensity;
+        history.instants  = column("t");
+        history.intensity = history.creep_integral = column("driver");
         return {growth_over_period(law, history)};
       }
     history.instants = {0., period};
+    // What drives creep, if not C*, has a history of its own.
+    history.intensity = history.creep_integral = {0., 0.};
+    const auto largest = column("K_max"), range = column("Delta_K"),
+               effective = column("Delta_K_eff"), c_star = column("C_star");
     std::vector<CrackGrowth> growth;
-    for (std::size_t k = 0; k < columns.at("K_max").size(); ++k)
+    for (std::size_t k = 0; k < largest.size(); ++k)
       {
-        history.largest         = columns.at("K_max")[k];
-        history.range           = columns.at("Delta_K")[k];
-        history.effective_range = columns.at("Delta_K_eff")[k];
-        history.c_star          = columns.at("C_star")[k];
-        // What drives creep, if not C*, has a history of its own.
-        history.intensity = history.creep_integral = {0., 0.};
+        history.largest         = largest[k];
+        history.range           = range[k];
+        history.effective_range = effective[k];
+        history.c_star          = c_star[k];
         growth.push_back(growth_over_period(law, history));
       }
     return growth;

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Crevasse authors
 
-#include <crevasse/base/csv_columns.h>
 #include <crevasse/base/problems.h>
 #include <crevasse/base/text.h>
+#include <crevasse/base/text_file.h>
 #include <crevasse/parameters/growth_table.h>
 
 #include <algorithm>
@@ -22,28 +22,44 @@ namespace Crevasse
 
   GrowthTable::GrowthTable(const std::string &file_name)
   {
-    const auto columns = read_csv_columns(file_name, {"Delta_K", "R", "da_dN"});
-    const auto &range = columns.at("Delta_K"), &ratio = columns.at("R"),
-               &growth = columns.at("da_dN");
-    for (std::size_t k = 0; k < range.size(); ++k)
+    std::istringstream text(read_text_file(file_name));
+    unsigned int       row    = 0;
+    const auto         demand = [&](const bool fulfilled, const char *why) {
+      if (!fulfilled)
+        throw SceneError(file_name + ", line " + std::to_string(row) + ": " +
+                         why);
+    };
+    bool has_header = false;
+    for (std::string line; std::getline(text, line);)
       {
-        Curve     &curve  = curves[ratio[k]];
-        const auto demand = [&](const bool fulfilled, const char *why) {
-          if (!fulfilled)
-            throw SceneError(
-              file_name + ": at R = " + Text::from_number(ratio[k]) +
-              ", Delta_K = " + Text::from_number(range[k]) + ": " + why);
-        };
-        demand(ratio[k] < 1., "R must be less than 1");
-        demand(range[k] > 0. &&
-                 (curve.ranges.empty() || range[k] > curve.ranges.back()),
+        ++row;
+        line = Text::squeeze(line);
+        if (line.empty() || line[0] == '#')
+          continue;
+        if (!has_header)
+          {
+            has_header = true;
+            demand(Text::split(line, ',') ==
+                     std::vector<std::string>{"Delta_K", "R", "da_dN"},
+                   "the columns must be Delta_K,R,da_dN");
+            continue;
+          }
+        const auto cells = Text::to_numbers(line);
+        demand(cells && cells->size() == 3, "there must be three numbers");
+        const double range = (*cells)[0], ratio = (*cells)[1],
+                     growth = (*cells)[2];
+        Curve &curve        = curves[ratio];
+        demand(ratio < 1., "R must be less than 1");
+        demand(range > 0. &&
+                 (curve.ranges.empty() || range > curve.ranges.back()),
                "Delta_K must be positive and ascend at each R");
-        demand(growth[k] > 0. || (growth[k] == 0. && curve.ranges.empty()),
+        demand(growth > 0. || (growth == 0. && curve.ranges.empty()),
                "da_dN must be positive; only the first of an R may be 0, at "
                "the threshold");
-        curve.ranges.push_back(range[k]);
-        curve.growth.push_back(growth[k]);
+        curve.ranges.push_back(range);
+        curve.growth.push_back(growth);
       }
+    demand(!curves.empty(), "there are no rows of numbers");
     for (const auto &[R, curve] : curves)
       if (curve.ranges.size() < 2)
         throw SceneError(file_name + ": there is one row for R = " +

@@ -77,12 +77,12 @@ namespace Crevasse
   growth_over_period(const CrackTipParameters &law, const TipHistory &history);
 
   /**
-   * Growth over periods whose histories are the rows of a CSV file, with the
-   * columns K_max, Delta_K, Delta_K_eff and C_star. With the columns t and K,
-   * or t and C_t, the file has one history of what drives creep; fatigue is
-   * then nan.
+   * Growth over periods whose drivers are in a JSON file, as lists K_max,
+   * Delta_K, Delta_K_eff and C_star with null for unknown values; or, with the
+   * lists t and driver, over one period with this history of K or C(t), for
+   * creep alone.
    *
-   * @throw SceneError, FileError as read_csv_columns().
+   * @throw FileError
    */
   std::vector<CrackGrowth>
   growth_of_histories(const CrackTipParameters &law,

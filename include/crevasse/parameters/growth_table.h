@@ -19,7 +19,7 @@ namespace Crevasse
   class GrowthTable
   {
   public:
-    /** @param file_name CSV file with the columns Delta_K, R and da_dN.
+    /** @param file_name CSV file with the columns Delta_K,R,da_dN.
      * @throw SceneError with the file and what is wrong, FileError */
     explicit GrowthTable(const std::string &file_name);
 

@@ -9,6 +9,7 @@ import sys
 
 NAMES = ("sweep", "advise", "life", "figures", "report", "temperature",
          "mesh", "picture")
+MODULES = {"life": "life_command"}  # crevasse.life() is a function
 FILE_FAILURE = 4
 
 
@@ -19,7 +20,8 @@ def main(words):
     if os.environ.get("OMPI_COMM_WORLD_RANK", "0") != "0":
         return 0  # of mpirun: the first process does it
     try:
-        command = importlib.import_module(f"crevasse.{words[0]}")
+        module = MODULES.get(words[0], words[0])
+        command = importlib.import_module(f"crevasse.{module}")
     except ImportError as missing:
         print(f"crevasse {words[0]}: {missing}. It needs Debian's packages "
               "python3-h5py, python3-jinja2, python3-matplotlib, "

@@ -5,6 +5,7 @@
 which the program evaluates, and the periods N = integral of da/(da/dN)."""
 
 import dataclasses
+import json
 import tempfile
 
 import numpy
@@ -20,6 +21,7 @@ from crevasse.run_reader import Run
 # What the law depends on, and the power of the length with which it grows in a large
 # body under a given stress.
 DRIVERS = {"K_max": 0.5, "Delta_K": 0.5, "Delta_K_eff": 0.5, "C_star": 1.}
+ROUNDING = 1e-9
 PARTS = 60  # between neighbouring lengths, each with Gauss points
 ROWS = 10  # of life.csv between neighbouring lengths
 GAUSS, WEIGHTS = numpy.polynomial.legendre.leggauss(4)
@@ -30,7 +32,7 @@ class Node:
     """A crack length, and what a run found there."""
     a: float
     drivers: dict
-    closes: bool  # whether the lip does, at times
+    state: tuple  # whether K is 0 at times, and whether the lip is closed at times
     error: float  # of K, relative
     place: tuple
     angle: float
@@ -63,13 +65,11 @@ class Reader:
         self.toughness = float(scene["Crack tip/Fracture toughness"])
         self.tip = tip
 
-    def ask(self, header, columns):
-        """Growth by fatigue and by creep for each row of the columns."""
-        rows = numpy.column_stack(columns)
-        with tempfile.NamedTemporaryFile("w", suffix=".csv") as file:
-            file.write(header + "\n" + "".join(
-                ",".join("" if numpy.isnan(x) else repr(float(x)) for x in row) + "\n"
-                for row in rows))
+    def ask(self, drivers):
+        """Growth by fatigue and by creep for lists of drivers."""
+        with tempfile.NamedTemporaryFile("w", suffix=".json") as file:
+            json.dump({name: [None if numpy.isnan(x) else float(x) for x in values]
+                       for name, values in drivers.items()}, file)
             file.flush()
             call = self.program.finish(self.program.start(
                 "growth", file.name, self.scene_file, *options(self.settings)))
@@ -108,10 +108,10 @@ class Reader:
         if self.history:
             t, driver = self.table(run)
             power = 1 if self.history == "K" else 2
-            creep = [self.ask(f"t,{self.history}", (t, factor**power * driver))[1][0]
+            creep = [self.ask({"t": t, "driver": factor**power * driver})[1][0]
                      for factor in (1, 1 + error)]
-        return Node(a, drivers, bool(at(tip, ("closed_part", "wholly")) or
-                                     at(tip, ("closed_part", "partly"))),
+        closed = at(tip, ("closed_part", "wholly")), at(tip, ("closed_part", "partly"))
+        return Node(a, drivers, (drivers["Delta_K"] >= K * (1 - ROUNDING), any(closed)),
                     error, tip["position"],
                     0. if numpy.isnan(of_tip("growth_angle")) else tip["growth_angle"],
                     self.transition(run, tip, of_tip), creep)
@@ -147,19 +147,41 @@ class Reader:
         return mean**2 * of_tip("energy_release_rate", "largest") / K**2 / flow
 
 
-def curve(a, values, power, is_kinked=False):
+def curve(a, values, power):
     """Interpolates values, which are nan if unknown: the logarithm of what is left of
-    them without a power of a by a polynomial; next to a kink, or where they are not
-    positive, piecewise and monotone."""
+    them without a power of a by a polynomial; where they are not positive, piecewise and
+    monotone."""
     rest = values / a**power
     if not (rest > 0.).all():
         if numpy.isnan(rest).any():
             return lambda x: numpy.full(numpy.shape(x), numpy.nan)
         line = PchipInterpolator(a, rest)
         return lambda x: x**power * numpy.maximum(line(x), 0.)
-    line = (PchipInterpolator if is_kinked else BarycentricInterpolator)(
-        a, numpy.log(rest))
+    line = BarycentricInterpolator(a, numpy.log(rest))
     return lambda x: x**power * numpy.exp(line(x))
+
+
+def curves(a, nodes):
+    """Interpolates all drivers. Where the tip or the lip begins to close K_min or K_op has
+    a kink, but not K_max: they are interpolated piecewise, and not the ranges."""
+    values = {name: numpy.array([node.drivers[name] for node in nodes])
+              for name in DRIVERS}
+    found = {name: curve(a, values[name], power) for name, power in DRIVERS.items()}
+    if kink(nodes):
+        def above(lower):
+            return lambda x: found["K_max"](x) - numpy.sqrt(x) * lower(x)
+        for name in ("Delta_K", "Delta_K_eff"):
+            if not numpy.isnan(values[name]).any():
+                found[name] = above(PchipInterpolator(
+                    a, (values["K_max"] - values[name]) / numpy.sqrt(a)))
+    return found
+
+
+def kink(nodes):
+    """The lengths between which a tip or a lip that stays open begins to close, or ends
+    to."""
+    return next(((one.a, other.a) for one, other in zip(nodes, nodes[1:])
+                 if one.state != other.state), None)
 
 
 class Growth:
@@ -170,39 +192,31 @@ class Growth:
         """@param nodes a list for each scene."""
         self.readers, self.shares, self.nodes = readers, shares, nodes
         self.a = numpy.array([node.a for node in nodes[0]])
-        self.curves = [{name: curve(
-            self.a, numpy.array([node.drivers[name] for node in own]), power,
-            self.kink(own)) for name, power in DRIVERS.items()} for own in nodes]
+        self.curves = [curves(self.a, own) for own in nodes]
         self.creep = [curve(self.a, numpy.array([node.creep[with_error] for node in own]),
                             0.) for own in nodes]
         # Errors are no smooth function of the length.
         self.errors = [PchipInterpolator(self.a, [with_error * node.error for node in own])
                        for own in nodes]
 
-    def kink(self, nodes):
-        """The lengths between which a lip that stays open begins to close, or ends to."""
-        return next(((one.a, other.a) for one, other in zip(nodes, nodes[1:])
-                     if one.closes != other.closes), None)
-
-    def kinks(self):
-        """The first kink of any scene, for which a length is missing."""
-        return next(filter(None, map(self.kink, self.nodes)), None)
+    def kink(self):
+        """The first kink of any scene."""
+        return next(filter(None, map(kink, self.nodes)), None)
 
     def rates(self, a):
         """Growth by fatigue and by creep a period of the first scene."""
         total = numpy.zeros((2, len(a)))
-        for reader, share, curves, creep, error in zip(
+        for reader, share, lines, creep, error in zip(
                 self.readers, self.shares, self.curves, self.creep, self.errors):
-            growth = reader.ask(",".join(curves), [
-                line(a) * (1 + error(a))**(2 * DRIVERS[name])
-                for name, line in curves.items()])
+            growth = reader.ask({name: line(a) * (1 + error(a))**(2 * DRIVERS[name])
+                                 for name, line in lines.items()})
             if reader.history:
                 growth[1] = creep(a)
             total += share * growth
         return total
 
     def largest_K(self, a):
-        return numpy.max([curves["K_max"](a) for curves in self.curves], axis=0)
+        return numpy.max([lines["K_max"](a) for lines in self.curves], axis=0)
 
     def length_at_toughness(self, start, end):
         """The length at which K_max reaches the toughness; None if it does not."""

@@ -161,7 +161,7 @@ class Life:
         growth, why = self.growth(chosen), self.lengths.why
         if (at_toughness := growth.length_at_toughness(start, end)) is not None:
             end, why = at_toughness, "K_c"
-        found = types.SimpleNamespace(growth=growth, kink=growth.kinks(), end=end)
+        found = types.SimpleNamespace(growth=growth, kink=growth.kink(), end=end)
         found.edges = edges_of(growth.a, start, end)
         found.rates, found.periods = growth.integrate(found.edges)
         total = found.rates.sum(axis=0)
