@@ -140,6 +140,21 @@ def test_values_and_blocks():
     check_close(two["t"] / one["t"], 1, 1e-12, "their time")
 
 
+def test_history():
+    """Growth by C(t), which has no K, is that of a run with the law."""
+    scene = SOURCE / "prm/power_law.prm"
+    words = ["--set", "Geometry/Subdivisions=20, 20", "--set", "Refinement/Cycles=1",
+             "--set", "Periodic state/Maximum periods=1"]
+    _, table, _ = life("history", "--from", "10", "--to", "25", "--error", "0.5", *words,
+                       scene=scene)
+    code, _, error = execute(scene, "--output", "results/law", "--force", "--quiet", *words)
+    check(code == 0, error)
+    tip = json.loads(pathlib.Path("results/law/summary.json").read_text())
+    check_close(table["da_dN_creep"][0] / tip["creep_integrals"][0]["da_dN"], 1, 1e-9,
+                "growth by C(t)")
+    check((table["da_dN_fatigue"] == 0).all(), "no fatigue")
+
+
 def test_python():
     found = crevasse.life(STRIP, 0.2, 0.6, {"Geometry/Subdivisions": [10, 15],
                           "Discretisation/Degree": 1}, error=0.5, output="results/python")

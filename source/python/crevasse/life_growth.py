@@ -132,8 +132,12 @@ class Reader:
         single = run.tables.get(f"{name}.csv")
         table = single or run.tables[f"{name}_{self.tip or 1}.csv"]
         column = table.get("equivalent_intensity", table.get("K_I", table.get("C_t")))
-        last = table["t"] >= table["t"][-1] - self.period * (1 + 1e-9)
-        return table["t"][last], column[last]
+        begin = table["t"][-1] - self.period
+        last = table["t"] >= begin - ROUNDING * self.period
+        t, driver = table["t"][last], column[last]
+        if t[0] > begin + ROUNDING * self.period:  # C(t) is not known at first
+            t, driver = numpy.append(begin, t), numpy.append(numpy.nan, driver)
+        return t, driver
 
     def transition(self, run, tip, of_tip):
         """Energy release rate of the mean load over C*: the time in which a Maxwell body

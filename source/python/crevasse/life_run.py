@@ -147,8 +147,11 @@ class Life:
         self.runs += 1
         node = self.readers[member].node(a, folder.path)
         self.nodes[member, k] = node
-        self.log(f"  a = {a:g}: K_max {node.drivers['K_max']:.5g}, estimated error "
-                 f"{100 * node.error:.1g} %; {result.costs['seconds']:.2g} s{remark}")
+        K = node.drivers["K_max"]
+        self.log(f"  a = {a:g}: " + (f"growth by creep {node.creep[0]:.5g}" if
+                                     numpy.isnan(K) else f"K_max {K:.5g}")
+                 + f", estimated error of K {100 * node.error:.1g} %; "
+                 f"{result.costs['seconds']:.2g} s{remark}")
 
     def growth(self, chosen, with_error=False):
         return Growth(self.readers, self.shares, [
