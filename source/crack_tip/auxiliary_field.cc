@@ -80,11 +80,10 @@ namespace Crevasse
 
   AuxiliaryField::AuxiliaryField(const CrackTip     &tip,
                                  const CrackMode     mode,
-                                 const Point<2>     &point,
+                                 const Point<2>     &local,
                                  const SquareWeight &weight)
   {
-    const Point<2> local = tip.local(point);
-    const auto     f = weight.factor(local[0]), g = weight.factor(local[1]);
+    const auto f = weight.factor(local[0]), g = weight.factor(local[1]);
     if (f[0] == 0. || g[0] == 0.)
       return;
     const BuecknerField field(local, mode, tip.two_lips);

@@ -52,6 +52,7 @@ namespace Crevasse
     : fields(fields)
     , body(body)
     , region(region)
+    , loads(loads)
     , body_force(components_in_volume(loads))
   {
     integrate_over_cells();
@@ -117,8 +118,8 @@ namespace Crevasse
   {
     const Space<3>   &space = body.space;
     const auto       &fe    = space.finite_element;
-    const UpdateFlags flags =
-      update_values | update_quadrature_points | update_JxW_values;
+    const UpdateFlags flags = update_values | update_quadrature_points |
+                              update_JxW_values | update_normal_vectors;
     FEFaceValues<3>                      usual(space.mapping,
                           fe,
                           QIterated<2>(QGauss<1>(3), 4),
@@ -141,6 +142,7 @@ namespace Crevasse
           FEFaceValues<3> &values = region.is_at_front(cell) ? fine : usual;
           values.reinit(cell, f);
           cell->get_dof_indices(dofs);
+          const auto id = cell->face(f)->boundary_id();
           for (const unsigned int q : values.quadrature_point_indices())
             {
               FrontFrame frame = region.curve.frame(values.quadrature_point(q));
@@ -150,15 +152,26 @@ namespace Crevasse
                 std::copysign(1.,
                               (cell->center() - values.quadrature_point(q)) *
                                 frame.inward);
-              frame.Y                     = std::copysign(0., side);
-              const Tensor<1, 3> traction = // displacement in outward traction
-                -side * fields.weight.factor(frame.X)[0] * values.JxW(q) *
-                fields.displacement(frame);
+              frame.Y              = std::copysign(0., side);
+              const Tensor<1, 3> u = fields.displacement(frame);
+              const double       share =
+                fields.weight.factor(frame.X)[0] * values.JxW(q);
+              // displacement in outward traction
+              const Tensor<1, 3>    traction = -side * share * u;
               SymmetricTensor<2, 3> local;
               for (unsigned int i = 0; i < 3; ++i)
                 local[i][1] = (i == 1 ? 1. : 0.5) * traction[i];
               for (const auto &hat : region.hats(frame))
                 {
+                  if (space.roles.loaded.count(id) > 0)
+                    loaded.push_back(
+                      {hat.vertex,
+                       id,
+                       values.quadrature_point(q),
+                       values.normal_vector(q),
+                       hat.value * share *
+                         (u[0] * frame.ahead + u[1] * frame.inward +
+                          u[2] * frame.tangent)});
                   of_stress[hat.vertex] +=
                     hat.value * to_mesh(frame, local, 2.);
                   if (fields.mode == CrackMode::opening)
@@ -287,6 +300,10 @@ namespace Crevasse
         for (const auto &[d, force] : body_force)
           sum -= kernel.of_force[d] * force.value(kernel.location, t);
       }
+    for (const LoadedPoint &place : loaded)
+      K[place.vertex] -=
+        place.of_force *
+        surface_force<3>(loads, place.id, place.point, place.normal, t);
     for (const auto &[vertex, node, factor] : of_contact_forces)
       K[vertex] += factor * sample.state.contact_forces.normal[node];
     Utilities::MPI::sum(K, body.space.communicator(), K);

@@ -5,7 +5,6 @@
 #include <crevasse/crack_tip/front_field.h>
 #include <crevasse/crack_tip/interaction_integral.h>
 #include <crevasse/crack_tip/kernel_rules.h>
-#include <crevasse/crack_tip/lip_integral.h>
 #include <crevasse/material/voigt_matrix.h>
 
 namespace Crevasse
@@ -43,10 +42,9 @@ namespace Crevasse
 
     /** Frame of a circular front about the axis of revolution. */
     FrontFrame
-    frame_at(const CrackTip &tip, const Point<2> &point)
+    frame_at(const CrackTip &tip, const Point<2> &local)
     {
-      const Point<2> local = tip.local(point);
-      FrontFrame     frame;
+      FrontFrame frame;
       frame.X = local[0];
       frame.Y = local[1];
       for (const unsigned int d : {0, 1})
@@ -91,6 +89,7 @@ namespace Crevasse
     , region(region)
     , mode(mode)
     , kappa_of_ring(squares.kappa_of_ring)
+    , loads(loads)
     , body_force(components_in_volume(loads))
     , of_contact_forces(
         mode == CrackMode::opening
@@ -101,20 +100,20 @@ namespace Crevasse
       for (double &factor : of_contact_forces)
         factor /= region.tip.position[0];
     integrate_over_cells(squares);
-    balance();
+    balance(integrate_over_lips(squares.size));
   }
 
 
 
   AuxiliaryField
-  InteractionIntegral::field_at(const Point<2>     &point,
+  InteractionIntegral::field_at(const Point<2>     &local,
                                 const SquareWeight &weight) const
   {
     if (kappa_of_ring == 0.)
-      return AuxiliaryField(region.tip, mode, point, weight);
+      return AuxiliaryField(region.tip, mode, local, weight);
     const double      nu = (3. - kappa_of_ring) / 4.;
     const FrontFields fields{mode, false, {1., nu}, weight};
-    const FrontField  of_front = fields.at(frame_at(region.tip, point)).first;
+    const FrontField  of_front = fields.at(frame_at(region.tip, local)).first;
     const double      share    = 1. / region.tip.position[0];
     const double      of_kappa = (kappa_of_ring + 1.) / 4. * share;
     AuxiliaryField    field;
@@ -142,7 +141,7 @@ namespace Crevasse
                          const Point<2> &point,
                          const double    share) {
       const auto field_of = [&](const SquareWeight &weight) {
-        return field_at(point, weight);
+        return field_at(region.tip.local(point), weight);
       };
       kernel.field.add(share, field_of(whole));
       for (const auto &[weight, factor] : of_creep)
@@ -184,24 +183,86 @@ namespace Crevasse
 
 
 
+  std::array<VoigtVector<2>, 2>
+  InteractionIntegral::integrate_over_lips(const double size)
+  {
+    const SquareWeight            weight = region.weight(size);
+    std::array<VoigtVector<2>, 2> lips;
+    for (const LipPoint &point : lip_points(body.space, region.tip, size))
+      {
+        AuxiliaryField field;
+        field.add(point.weight, field_at(point.local, weight));
+        for (const unsigned int k : {0, 1})
+          {
+            const Tensor<2, 2> work =
+              outer_product(field.of_force[k], point.normal);
+            lips[k][0] += work[0][0];
+            lips[k][1] += work[1][1];
+            lips[k][3] += work[0][1] + work[1][0];
+          }
+        if (body.space.roles.loaded.count(point.id) > 0)
+          loaded.emplace_back(point, field);
+      }
+    return lips;
+  }
+
+
+
+  VoigtVector<2>
+  InteractionIntegral::what_lips_bear(const VoigtVector<2> &of_stress) const
+  {
+    if (mode == CrackMode::constant)
+      return {}; // uniform stress has a T
+    VoigtVector<2> factors = of_stress;
+    if (kappa_of_ring > 0.)
+      factors[0] = factors[2] = 0.5 * (factors[0] + factors[2]);
+    if (region.tip.two_lips)
+      return factors;
+    // Ahead of one lip the plane of symmetry bears shear stress.
+    VoigtVector<2> normal;
+    normal[2] = factors[2];
+    for (const Tensor<1, 2> &n : {region.tip.ahead, region.tip.inward})
+      {
+        const double of_n = factors[0] * n[0] * n[0] +
+                            factors[1] * n[1] * n[1] + factors[3] * n[0] * n[1];
+        normal[0] += of_n * n[0] * n[0];
+        normal[1] += of_n * n[1] * n[1];
+        normal[3] += of_n * 2. * n[0] * n[1];
+      }
+    return normal;
+  }
+
+
+
   void
-  InteractionIntegral::balance()
+  InteractionIntegral::balance(const std::array<VoigtVector<2>, 2> &lips)
   {
     const MPI_Comm communicator = body.space.communicator();
     const auto     is_at_tip    = [&](const Kernel &kernel) {
       return region.reach(points.cell[kernel.point]).first == 0.;
     };
-    VoigtVector<2> sum;
-    double         area = 0.;
+    VoigtVector<2>                sum;
+    std::array<VoigtVector<2>, 2> of_stress;
+    double                        area = 0., area_at_tip = 0.;
     for (const Kernel &kernel : kernels)
       {
+        area += points.weight[kernel.point];
         sum += kernel.field.of_strain;
+        for (const unsigned int k : {0, 1})
+          of_stress[k] += kernel.field.of_stress[k];
         if (is_at_tip(kernel))
-          area += points.weight[kernel.point];
+          area_at_tip += points.weight[kernel.point];
       }
-    for (unsigned int c = 0; c < QuadratureField<2>::n_components; ++c)
-      sum[c] = Utilities::MPI::sum(sum[c], communicator);
-    area = Utilities::MPI::sum(area, communicator);
+    const auto of_ranks = [communicator](VoigtVector<2> vector) {
+      for (unsigned int c = 0; c < QuadratureField<2>::n_components; ++c)
+        vector[c] = Utilities::MPI::sum(vector[c], communicator);
+      return vector;
+    };
+    sum = of_ranks(sum);
+    for (const unsigned int k : {0, 1})
+      of_stress[k] = what_lips_bear(of_ranks(of_stress[k] - lips[k]));
+    area        = Utilities::MPI::sum(area, communicator);
+    area_at_tip = Utilities::MPI::sum(area_at_tip, communicator);
     if (kappa_of_ring > 0.)
       {
         // On rings u₁ = x₁ strains hoops as well, and u₁ = x₂ is not uniform.
@@ -209,16 +270,25 @@ namespace Crevasse
         sum[3]          = 0.;
       }
     for (Kernel &kernel : kernels)
-      if (is_at_tip(kernel))
-        kernel.field.of_strain -= points.weight[kernel.point] / area * sum;
+      {
+        const double weight = points.weight[kernel.point];
+        if (is_at_tip(kernel))
+          kernel.field.of_strain -= weight / area_at_tip * sum;
+        // Spread over the square: stress is largest at the tip.
+        for (const unsigned int k : {0, 1})
+          kernel.field.of_stress[k] -= weight / area * of_stress[k];
+      }
   }
 
 
 
   double
-  InteractionIntegral::of_body_force(const double t, const double kappa) const
+  InteractionIntegral::of_forces(const double t, const double kappa) const
   {
     double sum = 0.;
+    for (const auto &[place, field] : loaded)
+      sum += (field.of_force[0] + kappa * field.of_force[1]) *
+             surface_force<2>(loads, place.id, place.point, place.normal, t);
     for (const auto &[d, force] : body_force)
       for (const Kernel &kernel : kernels)
         sum +=
@@ -262,7 +332,7 @@ namespace Crevasse
                                               sample.state.contact_forces,
                                               at_tip.kappa());
     const bool   creeps     = has_creep && sample.viscous_strain.size() > 0;
-    double       sum        = of_body_force(t, at_tip.kappa());
+    double       sum        = of_forces(t, at_tip.kappa());
     if (creeps || !material.stiffness->is_uniform() ||
         material.thermal_strain != nullptr)
       sum += of_variation(sample, material, at_tip, creeps);

@@ -26,6 +26,41 @@ namespace Crevasse
         }
       return Quadrature<1>(nodes, weights);
     }
+
+
+
+    /** Calls f(cell, face number, values) for this rank's faces on the lips of
+     * a tip, with values for the weight 1/√r. */
+    template <typename Function>
+    void
+    for_each_face(const Space<2> &space,
+                  const CrackTip &tip,
+                  const double    size,
+                  const Function &f)
+    {
+      for (const auto &cell : owned_cells(space.dof_handler))
+        for (const unsigned int face : cell->face_indices())
+          {
+            if (!cell->at_boundary(face) ||
+                !space.roles.is_lip(cell->face(face)->boundary_id()))
+              continue;
+            const Point<2> a   = tip.local(cell->face(face)->vertex(0));
+            const Point<2> b   = tip.local(cell->face(face)->vertex(1));
+            const double   r_a = -a[0], r_b = -b[0];
+            // Faces of other lips do not count.
+            if (!tip.is_on_line(a) || !tip.is_on_line(b) || r_a + r_b <= 0. ||
+                std::min(r_a, r_b) >= size)
+              continue;
+            FEFaceValues<2> values(space.mapping,
+                                   space.finite_element,
+                                   inverse_root_rule(std::max(r_a, 0.),
+                                                     std::max(r_b, 0.)),
+                                   update_values | update_quadrature_points |
+                                     update_JxW_values | update_normal_vectors);
+            values.reinit(cell, face);
+            f(cell, face, values);
+          }
+    }
   } // namespace
 
 
@@ -35,44 +70,50 @@ namespace Crevasse
                const CrackTip     &tip,
                const SquareWeight &weight)
   {
-    const Space<2>                      &space = body.space;
-    const FESystem<2>                   &fe    = space.finite_element;
+    const FESystem<2>                   &fe = body.space.finite_element;
     std::vector<types::global_dof_index> dofs(fe.n_dofs_per_cell());
-    Vector                               per_pressure = space.ghosted_vector();
+    Vector       per_pressure = body.space.ghosted_vector();
     const double factor = tip.two_lips ? 1. : 2.; // two equal lips, or one
-    for (const auto &cell : owned_cells(space.dof_handler))
-      for (const unsigned int f : cell->face_indices())
-        {
-          if (!cell->at_boundary(f) ||
-              !space.roles.is_lip(cell->face(f)->boundary_id()))
-            continue;
-          const Point<2> a   = tip.local(cell->face(f)->vertex(0));
-          const Point<2> b   = tip.local(cell->face(f)->vertex(1));
-          const double   r_a = -a[0], r_b = -b[0];
-          // Faces of other lips do not count.
-          if (!tip.is_on_line(a) || !tip.is_on_line(b) || r_a + r_b <= 0. ||
-              std::min(r_a, r_b) >= weight.radius)
-            continue;
-          FEFaceValues<2> values(space.mapping,
-                                 fe,
-                                 inverse_root_rule(std::max(r_a, 0.),
-                                                   std::max(r_b, 0.)),
-                                 update_values | update_quadrature_points |
-                                   update_JxW_values);
-          values.reinit(cell, f);
-          cell->get_dof_indices(dofs);
-          for (const unsigned int i : values.dof_indices())
-            {
-              if (!fe.has_support_on_face(i, f))
-                continue;
-              for (const unsigned int q : values.quadrature_point_indices())
-                per_pressure(dofs[i]) +=
-                  factor / std::sqrt(2. * numbers::PI) *
-                  values.shape_value(i, q) *
-                  weight.factor(tip.local(values.quadrature_point(q))[0])[0] *
-                  values.JxW(q);
-            }
-        }
+    for_each_face(
+      body.space,
+      tip,
+      weight.radius,
+      [&](const auto &cell, const unsigned int f, const auto &values) {
+        cell->get_dof_indices(dofs);
+        for (const unsigned int i : values.dof_indices())
+          if (fe.has_support_on_face(i, f))
+            for (const unsigned int q : values.quadrature_point_indices())
+              per_pressure(dofs[i]) +=
+                factor / std::sqrt(2. * numbers::PI) *
+                values.shape_value(i, q) *
+                weight.factor(tip.local(values.quadrature_point(q))[0])[0] *
+                values.JxW(q);
+      });
     return body.lip.of_contact_forces(per_pressure);
+  }
+
+
+
+  std::vector<LipPoint>
+  lip_points(const Space<2> &space, const CrackTip &tip, const double size)
+  {
+    std::vector<LipPoint> points;
+    for_each_face(
+      space,
+      tip,
+      size,
+      [&](const auto &cell, const unsigned int f, const auto &values) {
+        for (const unsigned int q : values.quadrature_point_indices())
+          {
+            const Point<2> &point = values.quadrature_point(q);
+            const Point<2>  local = tip.local(point, cell->center());
+            points.push_back({cell->face(f)->boundary_id(),
+                              point,
+                              local,
+                              values.normal_vector(q),
+                              std::sqrt(-local[0]) * values.JxW(q)});
+          }
+      });
+    return points;
   }
 } // namespace Crevasse

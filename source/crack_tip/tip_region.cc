@@ -170,14 +170,13 @@ namespace Crevasse
       for (const unsigned int f : cell->face_indices())
         if (const auto face = cell->face(f); face->at_boundary())
           {
-            const Point<2> a     = tip.local(face->vertex(0));
-            const Point<2> b     = tip.local(face->vertex(1));
-            const bool     ahead = a[0] + b[0] > 0.;
-            const auto    &own =
-              ahead ? space.roles.symmetry
-                       : (tip.two_lips ? space.roles.crack : space.roles.contact);
-            if (!tip.is_on_line(a) || !tip.is_on_line(b) ||
-                own.count(face->boundary_id()) == 0)
+            const Point<2> a      = tip.local(face->vertex(0));
+            const Point<2> b      = tip.local(face->vertex(1));
+            const auto     id     = face->boundary_id();
+            const bool     is_own = a[0] + b[0] > 0.
+                                      ? space.roles.symmetry.count(id) > 0
+                                      : space.roles.is_lip(id);
+            if (!tip.is_on_line(a) || !tip.is_on_line(b) || !is_own)
               end = std::min(end, distance_of_segment(a, b));
           }
     for (const CrackTip &other : find_crack_tips(space.mesh(), space.roles))

@@ -9,16 +9,83 @@
 
 namespace Crevasse
 {
+  namespace
+  {
+    /** Rule for faces from a tip, exact for polynomials of √r. */
+    template <int dim>
+    dealii::Quadrature<dim - 1>
+    root_rule(const bool tip_is_first)
+    {
+      const dealii::QGauss<1>             gauss(8);
+      std::vector<dealii::Point<dim - 1>> points(gauss.size());
+      std::vector<double>                 weights;
+      for (unsigned int k = 0; k < gauss.size(); ++k)
+        {
+          const double s = gauss.point(k)[0];
+          points[k][0]   = tip_is_first ? s * s : 1. - s * s;
+          weights.push_back(2. * s * gauss.weight(k));
+        }
+      return dealii::Quadrature<dim - 1>(points, weights);
+    }
+
+
+
+    /** Number of the vertex of a face where a singular function has its tip, if
+     * any. */
+    template <int dim, typename Face>
+    std::optional<unsigned int>
+    tip_of(const Space<dim> &space, const Face &face)
+    {
+      if constexpr (dim == 2)
+        if (const SingularShapes *shapes = space.singular_shapes())
+          for (const SingularFunction &function : shapes->functions)
+            for (const unsigned int v : face->vertex_indices())
+              if (face->vertex(v).distance(function.tip.position) <
+                  1e-8 * face->diameter())
+                return v;
+      return {};
+    }
+  } // namespace
+
+
+
   std::vector<std::pair<unsigned int, Expression>>
   components_in_volume(const LoadParameters &parameters)
   {
     std::vector<std::pair<unsigned int, Expression>> components;
     for (const LoadParameters::Force &force : parameters.forces())
-      for (unsigned int d = 0; force.in_volume && d < force.components->size();
-           ++d)
-        if (Expression value((*force.components)[d]); !value.is_zero())
-          components.emplace_back(d, std::move(value));
+      for (unsigned int i = 0; force.in_volume && i < force.values->size(); ++i)
+        for (unsigned int d = 0; d < (*force.values)[i].components.size(); ++d)
+          if (const auto &value = (*force.values)[i].components[d];
+              !value.is_zero())
+            components.emplace_back(d, value);
     return components;
+  }
+
+
+
+  template <int dim>
+  dealii::Tensor<1, dim>
+  surface_force(const LoadParameters            &parameters,
+                const dealii::types::boundary_id id,
+                const dealii::Point<dim>        &point,
+                const dealii::Tensor<1, dim>    &normal,
+                const double                     t)
+  {
+    dealii::Tensor<1, dim> sum;
+    for (const LoadParameters::Force &force : parameters.forces())
+      if (!force.in_volume)
+        for (const PlacedFormulas &placed : *force.values)
+          if (placed.act_on(id))
+            for (unsigned int d = 0; d < placed.components.size(); ++d)
+              {
+                const double value = placed.components[d].value(point, t);
+                if (force.along_normal)
+                  sum -= value * normal;
+                else
+                  sum[d] += value;
+              }
+    return sum;
   }
 
 
@@ -31,12 +98,9 @@ namespace Crevasse
   {
     strain_operator.initialize(constant);
     for (const LoadParameters::Force &force : parameters.forces())
-      for (unsigned int d = 0; d < force.components->size(); ++d)
-        add(Expression((*force.components)[d]),
-            d,
-            force.in_volume,
-            space,
-            strain_operator);
+      for (const PlacedFormulas &placed : *force.values)
+        for (unsigned int d = 0; d < placed.components.size(); ++d)
+          add({force, placed, d}, space, strain_operator);
     constant.compress(dealii::VectorOperation::add);
   }
 
@@ -79,10 +143,9 @@ namespace Crevasse
   template <int dim>
   template <typename Function>
   void
-  ExternalLoads<dim>::for_each_loaded_point(const Space<dim>  &space,
-                                            const unsigned int component,
-                                            const bool         in_volume,
-                                            const Function    &f)
+  ExternalLoads<dim>::for_each_loaded_point(const Space<dim> &space,
+                                            const Part       &part,
+                                            const Function   &f)
   {
     const dealii::UpdateFlags flags = dealii::update_values |
                                       dealii::update_JxW_values |
@@ -91,11 +154,13 @@ namespace Crevasse
     dealii::FEFaceValues<dim>                        face_values(space.mapping,
                                           space.finite_element,
                                           space.face_quadrature(),
-                                          flags);
+                                          flags |
+                                            dealii::update_normal_vectors);
     std::vector<dealii::types::global_dof_index>     unknowns;
     std::vector<std::vector<dealii::Tensor<1, dim>>> singular_values;
     const auto visit = [&](const auto                      &cell,
-                           const dealii::FEValuesBase<dim> &values) {
+                           const dealii::FEValuesBase<dim> &values,
+                           const bool                       along_normal) {
       const dealii::FiniteElement<dim> &fe = values.get_fe();
       const unsigned int                n  = fe.n_dofs_per_cell();
       space.get_unknowns(cell, unknowns);
@@ -104,14 +169,18 @@ namespace Crevasse
           shapes->values(values, singular_values);
       for (const unsigned int q : values.quadrature_point_indices())
         {
+          dealii::Tensor<1, dim> direction;
+          if (along_normal)
+            direction = -values.normal_vector(q);
+          else
+            direction[part.component] = 1.;
           Weights weights;
           for (unsigned int i = 0; i < unknowns.size(); ++i)
             {
-              double shape = 0.;
-              if (i >= n)
-                shape = singular_values[i - n][q][component];
-              else if (fe.system_to_component_index(i).first == component)
-                shape = values.shape_value(i, q);
+              const double shape =
+                i >= n ? singular_values[i - n][q] * direction
+                       : values.shape_value(i, q) *
+                           direction[fe.system_to_component_index(i).first];
               if (shape != 0.)
                 weights.emplace_back(unknowns[i], shape * values.JxW(q));
             }
@@ -119,15 +188,29 @@ namespace Crevasse
         }
     };
     for (const auto &cell : owned_cells(space.dof_handler))
-      if (in_volume)
-        visit(cell, cell_values.reinit(cell));
+      if (part.force.in_volume)
+        visit(cell, cell_values.reinit(cell), false);
       else
         for (const unsigned int face : cell->face_indices())
-          if (cell->at_boundary(face) &&
-              space.roles.loaded.count(cell->face(face)->boundary_id()) > 0)
+          if (const auto id = cell->face(face)->boundary_id();
+              cell->at_boundary(face) && space.roles.loaded.count(id) > 0 &&
+              part.placed.act_on(id))
             {
-              face_values.reinit(cell, face);
-              visit(cell, face_values);
+              const auto visit_face = [&](dealii::FEFaceValues<dim> &values) {
+                values.reinit(cell, face);
+                visit(cell, values, part.force.along_normal);
+              };
+              const auto tip = tip_of<dim>(space, cell->face(face));
+              if (!tip)
+                {
+                  visit_face(face_values);
+                  continue;
+                }
+              dealii::FEFaceValues<dim> at_tip(space.mapping,
+                                               space.finite_element,
+                                               root_rule<dim>(*tip == 0),
+                                               face_values.get_update_flags());
+              visit_face(at_tip);
             }
   }
 
@@ -135,16 +218,15 @@ namespace Crevasse
 
   template <int dim>
   void
-  ExternalLoads<dim>::add(Expression               &&component_value,
-                          const unsigned int         component,
-                          const bool                 in_volume,
+  ExternalLoads<dim>::add(const Part                &part,
                           const Space<dim>          &space,
                           const StrainOperator<dim> &strain_operator)
   {
+    const Expression component_value = part.placed.components[part.component];
     if (component_value.is_zero())
       return;
     const auto for_each_point = [&](const auto &f) {
-      for_each_loaded_point(space, component, in_volume, f);
+      for_each_loaded_point(space, part, f);
     };
     if (!component_value.depends_on_time())
       // Only one rank may find a formula without a value at a point.
@@ -166,7 +248,7 @@ namespace Crevasse
             constraints.distribute_local_to_global(dof, weight, integrals);
         });
         integrals.compress(dealii::VectorOperation::add);
-        amplitudes.push_back({std::move(component_value), integrals});
+        amplitudes.push_back({component_value, integrals});
       }
     else
       {
@@ -174,7 +256,7 @@ namespace Crevasse
         for_each_point([&](const dealii::Point<dim> &point, Weights &&weights) {
           points.push_back({point, std::move(weights)});
         });
-        densities.push_back({std::move(component_value), std::move(points)});
+        densities.push_back({component_value, std::move(points)});
       }
   }
 
@@ -208,6 +290,9 @@ namespace Crevasse
   }
 
 
+
+  template decltype(surface_force<2>) surface_force<2>;
+  template decltype(surface_force<3>) surface_force<3>;
 
   template class ExternalLoads<2>;
   template class ExternalLoads<3>;

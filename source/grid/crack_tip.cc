@@ -40,6 +40,7 @@ namespace Crevasse
     template <int dim>
     struct FaceAtEnd
     {
+      types::boundary_id                id;
       unsigned int                      index; ///< index of the vertex or edge
       std::pair<Point<dim>, Point<dim>> end;
       Point<dim>                        center;
@@ -56,9 +57,11 @@ namespace Crevasse
 
     template <int dim>
     FacesAtEnds<dim>
-    faces_with(const std::set<types::boundary_id> &ids,
-               const Triangulation<dim>           &mesh)
+    faces_with(std::set<types::boundary_id>        ids,
+               const Triangulation<dim>           &mesh,
+               const std::set<types::boundary_id> &more_ids = {})
     {
+      ids.insert(more_ids.begin(), more_ids.end());
       FacesAtEnds<dim> faces;
       for (const auto &cell : mesh.cell_iterators_on_level(0))
         for (const unsigned int f : cell->face_indices())
@@ -69,9 +72,12 @@ namespace Crevasse
               const auto           add    = [&](const unsigned int index,
                                    const Point<dim>  &first,
                                    const Point<dim>  &last) {
-                faces.emplace(
-                  index,
-                  FaceAtEnd<dim>{index, {first, last}, face->center(), normal});
+                faces.emplace(index,
+                              FaceAtEnd<dim>{face->boundary_id(),
+                                             index,
+                                             {first, last},
+                                             face->center(),
+                                             normal});
               };
               if constexpr (dim == 2)
                 for (const unsigned int v : face->vertex_indices())
@@ -96,7 +102,8 @@ namespace Crevasse
                         const Function           &f)
     {
       const FacesAtEnds<dim> planes = faces_with(roles.symmetry, mesh);
-      for (const auto &[index, lip] : faces_with(roles.contact, mesh))
+      for (const auto &[index, lip] :
+           faces_with(roles.contact, mesh, roles.open))
         {
           const auto [first, last] = planes.equal_range(index);
           for (auto plane = first; plane != last; ++plane)
@@ -114,7 +121,7 @@ namespace Crevasse
                           const BoundaryRoles      &roles,
                           const Function           &f)
     {
-      const FacesAtEnds<dim> lips = faces_with(roles.crack, mesh);
+      const FacesAtEnds<dim> lips = faces_with(roles.crack, mesh, roles.open);
       for (auto first = lips.begin(); first != lips.end();)
         {
           const auto last = lips.upper_bound(first->first);
@@ -134,21 +141,29 @@ namespace Crevasse
   {
     std::map<unsigned int, CrackTip> tips;
     for_each_end_of_lip<2>(
-      mesh, roles, [&tips](const FaceAtEnd<2> &lip, const FaceAtEnd<2> &plane) {
+      mesh, roles, [&](const FaceAtEnd<2> &lip, const FaceAtEnd<2> &plane) {
         const Point<2>    &tip   = plane.end.first;
         const Tensor<1, 2> ahead = plane.center - tip;
         if (ahead * (lip.center - tip) < 0.)
-          tips[lip.index] = {tip, ahead / ahead.norm(), -plane.normal};
+          tips[lip.index] = {tip,
+                             ahead / ahead.norm(),
+                             -plane.normal,
+                             false,
+                             roles.open.count(lip.id) > 0};
       });
     std::vector<CrackTip> list;
     for (const auto &[vertex, tip] : tips)
       list.push_back(tip);
     for_each_end_of_crack<2>(
-      mesh, roles, [&list](const FaceAtEnd<2> &lip, const FaceAtEnd<2> &) {
+      mesh, roles, [&](const FaceAtEnd<2> &lip, const FaceAtEnd<2> &) {
         const Point<2>    &tip      = lip.end.first;
         const double       distance = tip.distance(lip.center);
         const Tensor<1, 2> ahead    = (tip - lip.center) / distance;
-        list.push_back({tip, ahead, Tensor<1, 2>({-ahead[1], ahead[0]}), true});
+        list.push_back({tip,
+                        ahead,
+                        Tensor<1, 2>({-ahead[1], ahead[0]}),
+                        true,
+                        roles.open.count(lip.id) > 0});
       });
     return list;
   }
@@ -165,9 +180,9 @@ namespace Crevasse
       throw SceneError(
         wanted_by +
         ": the mesh has no crack tip, a vertex where a lip ([Boundary] "
-        "Contact) continues as a plane of symmetry ([Boundary] Symmetry), or "
-        "where the lips of a [Boundary] Crack meet. Give the body a crack, or "
-        "turn this off.");
+        "Contact or Open crack) continues as a plane of symmetry ([Boundary] "
+        "Symmetry), or where the lips of a [Boundary] Crack or Open crack "
+        "meet. Give the body a crack, or turn this off.");
     if (std::all_of(tips.begin(), tips.end(), [](const CrackTip &tip) {
           return tip.two_lips;
         }))

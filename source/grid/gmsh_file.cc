@@ -8,6 +8,7 @@
 #include <crevasse/grid/gmsh_elements.h>
 #include <crevasse/grid/gmsh_file.h>
 #include <crevasse/grid/split_cells.h>
+#include <crevasse/parameters/parameters.h>
 
 #include <algorithm>
 #include <csignal>
@@ -93,11 +94,10 @@ namespace Crevasse
     std::vector<std::set<unsigned int>>
     uses_of(const BoundaryRoles &roles)
     {
-      return {roles.clamped,
-              roles.symmetry,
-              roles.loaded,
-              roles.contact,
-              roles.crack};
+      std::vector<std::set<unsigned int>> uses;
+      for (const BoundaryRole &role : boundary_role_table)
+        uses.push_back(roles.*role.ids);
+      return uses;
     }
 
 
@@ -234,7 +234,9 @@ namespace Crevasse
          {split_cells(dim, mesh), find_coincident_faces(with_role, mesh)})
       if (!remark.empty())
         mesh.remarks.push_back(remark);
-    cut_cracks(named.roles.crack, mesh);
+    std::set<unsigned int> cracks = named.roles.crack;
+    cracks.insert(named.roles.open.begin(), named.roles.open.end());
+    cut_cracks(cracks, mesh);
     check_faces(mesh.cells, with_role, mesh.boundary);
     return mesh;
   }

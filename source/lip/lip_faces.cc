@@ -62,7 +62,7 @@ namespace Crevasse
                  const Quadrature<dim - 1> &rule,
                  const BoundaryRoles       &roles)
   {
-    if (!roles.has_lip())
+    if (!roles.has_contact())
       return {};
     const FiniteElement<dim>            &fe = dof_handler.get_fe();
     FEFaceValues<dim>                    values(mapping,
@@ -79,7 +79,7 @@ namespace Crevasse
     for (const auto &cell : owned_cells(dof_handler))
       for (const unsigned int f : cell->face_indices())
         if (const auto face = cell->face(f);
-            face->at_boundary() && roles.is_lip(face->boundary_id()))
+            face->at_boundary() && roles.touches(face->boundary_id()))
           {
             values.reinit(cell, f);
             support.reinit(cell);

@@ -109,14 +109,14 @@ namespace Crevasse
     roles.has_axis = scene.is_axisymmetric();
     for (const LoadParameters::Force &force : scene.loads.forces())
       if (!force.in_volume && roles.loaded.empty() &&
-          !are_zero(*force.components))
+          !are_zero(force.formulas()))
         {
           const auto built_in = built_in_roles(scene.geometry).loaded;
           const bool is_taken =
             !built_in.empty() && scene.boundary.loaded->is_automatic;
           throw SceneError(
             std::string("[Loads] ") + force.parameter + " = " +
-            force.components.text() +
+            force.values.text() +
             ": no boundary has the role Loaded; set [Boundary] Loaded, or "
             "the " +
             force.effect + " to 0." +

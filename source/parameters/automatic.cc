@@ -20,7 +20,9 @@ namespace Crevasse
         return "there is no built-in crack";
       const BoundaryRoles roles =
         resolve_roles(scene.boundary, built_in_roles(scene.geometry));
-      if (roles.contact.count(BoundaryIds::lip) == 0 ||
+      if (roles.contact.count(BoundaryIds::lip) +
+              roles.open.count(BoundaryIds::lip) ==
+            0 ||
           roles.symmetry.count(BoundaryIds::ligament) == 0)
         return "[Boundary] Contact or Symmetry differs from the default of the "
                "shape";

@@ -60,21 +60,28 @@ namespace Crevasse
                 const BoundaryRoles      &automatic)
   {
     BoundaryRoles                roles;
-    std::set<types::boundary_id> named;
+    std::set<types::boundary_id> named, no_lips;
     for (const BoundaryRole &role : boundary_role_table)
       {
         const auto &ids = (parameters.*role.list)->ids;
         named.insert(ids.begin(), ids.end());
+        if (role.ids != &BoundaryRoles::loaded)
+          no_lips.insert(ids.begin(), ids.end());
         roles.*role.ids = ids;
       }
     for (const BoundaryRole &role : boundary_role_table)
-      if ((parameters.*role.list)->is_automatic)
-        std::set_difference((automatic.*role.ids).begin(),
-                            (automatic.*role.ids).end(),
-                            named.begin(),
-                            named.end(),
-                            std::inserter(roles.*role.ids,
-                                          (roles.*role.ids).end()));
+      {
+        const auto &taken = role.is_lip ? no_lips : named;
+        auto       &ids   = roles.*role.ids;
+        if ((parameters.*role.list)->is_automatic)
+          std::set_difference((automatic.*role.ids).begin(),
+                              (automatic.*role.ids).end(),
+                              taken.begin(),
+                              taken.end(),
+                              std::inserter(ids, ids.end()));
+        if (role.is_lip) // a lip with contact is not an open crack as well
+          no_lips.insert(ids.begin(), ids.end());
+      }
     return roles;
   }
 
@@ -90,7 +97,7 @@ namespace Crevasse
     roles.symmetry = {BoundaryIds::ligament};
     roles.loaded   = {BoundaryIds::top};
     if (traits(parameters.shape).has_crack)
-      roles.contact = {BoundaryIds::lip};
+      roles.contact = roles.open = {BoundaryIds::lip};
     if (parameters.shape == Shape::centre_crack)
       roles.symmetry.insert(BoundaryIds::left);
     return roles;

@@ -72,10 +72,9 @@ namespace Crevasse
     {
       const std::string name = std::string("[Loads] ") + force.parameter;
       return {force.effect,
-              !are_zero(*force.components),
-              name + (force.components->empty()
-                        ? " is not set"
-                        : " = " + force.components.text())};
+              !are_zero(force.formulas()),
+              name + (force.values->empty() ? " is not set"
+                                            : " = " + force.values.text())};
     }
 
 
@@ -87,7 +86,7 @@ namespace Crevasse
       if (scene.dimension == 3)
         return "Dimension = 3";
       if (!roles.has_lip())
-        return "no boundary has the role Contact or Crack";
+        return "no boundary has the role Contact, Crack or Open crack";
       if (scene.material.creep_law() != nullptr)
         return "creep is nonlinear in the stress: see [Crack tip] Creep "
                "integral";
@@ -124,7 +123,7 @@ namespace Crevasse
                    const bool           temperature_varies)
   {
     const MaterialParameters &material    = scene.material;
-    const bool                has_contact = roles.has_lip();
+    const bool                has_contact = roles.has_contact();
     const bool is_chain = material.viscosity == ViscosityType::chain;
     const auto [n_singular, why_singular] = Crevasse::singular_functions(scene);
 
@@ -315,7 +314,7 @@ namespace Crevasse
     append({*material.stiffness_time_factor, *material.viscosity_time_factor},
            formulas);
     for (const auto &force : scene.loads.forces())
-      append(*force.components, formulas);
+      append(force.formulas(), formulas);
     append(free_strain_formulas(material), formulas);
     if (temperature)
       formulas.push_back(*temperature);

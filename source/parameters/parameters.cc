@@ -111,8 +111,9 @@ namespace Crevasse
                              others + allowed,
                            prm);
     loaded.add_parameter("Loaded",
-                         "Boundary ids that carry the traction of the section "
-                         "Loads. \"automatic\" is 3" +
+                         "Boundary ids that carry the traction or pressure of "
+                         "the section Loads; lips of cracks may be among them. "
+                         "\"automatic\" is 3" +
                            others + allowed,
                          prm);
     contact.add_parameter(
@@ -129,6 +130,15 @@ namespace Crevasse
       "the body, along which the program cuts the mesh. Other meshes have both "
       "lips: each face of one lip lies on a face of the other. \"automatic\" "
       "is none" +
+        allowed,
+      prm);
+    open_crack.add_parameter(
+      "Open crack",
+      "Boundary ids of lips that never touch: of cracks as for Crack, or of "
+      "one "
+      "lip as for Contact. They get K, T and singular functions, and may "
+      "penetrate. \"automatic\" is 4 of a built-in shape with a crack whose "
+      "Contact does not have it" +
         allowed,
       prm);
     fixed_points.add_parameter(
@@ -270,54 +280,4 @@ namespace Crevasse
     };
   }
 
-
-
-  void
-  LoadParameters::add_parameters(ParameterHandler &prm)
-  {
-    const std::string allowed =
-      "; empty: none. Allowed: one formula of x, y, z, t for each dimension, "
-      "separated by semicolons";
-    prm.add_parameter(
-      "Period",
-      period,
-      "Period of loads and material, in units of time. In all formulas t is "
-      "the time since the beginning of the period.",
-      size);
-    traction.add_parameter(
-      "Traction",
-      "Force per area on boundaries with the role Loaded, in units of stress" +
-        allowed,
-      prm);
-    temperature.add_parameter(
-      "Temperature",
-      "Difference theta from the temperature without thermal strain, or with "
-      "Reference temperature the absolute temperature, in units of "
-      "temperature. It strains the body by Thermal expansion, and formulas "
-      "of the material may depend on it. Allowed: a formula of x, y, z, t; or "
-      "an .h5 file that \"crevasse temperature\" makes from a table or from "
-      "the fields of another program",
-      prm);
-    reference.add_parameter(
-      "Reference temperature",
-      "Temperature without thermal strain. If it is set, Temperature and theta "
-      "are absolute. Empty: they are the change from it. Allowed: a number, or "
-      "empty",
-      prm);
-    body_force.add_parameter("Body force",
-                             "Force per volume, in units of stress / length" +
-                               allowed,
-                             prm);
-  }
-
-
-
-  std::vector<LoadParameters::Force>
-  LoadParameters::forces() const
-  {
-    return {
-      {"Traction", "traction", traction, false},
-      {"Body force", "body force", body_force, true},
-    };
-  }
 } // namespace Crevasse

@@ -100,11 +100,12 @@ namespace Crevasse
         for (const auto id : list->ids)
           {
             const auto [first, is_new] = role_of.emplace(id, role.name);
-            checker.demand(is_new,
+            checker.demand(is_new || (role.is_lip && first->second == "Loaded"),
                            role.name,
                            "the boundary id " + std::to_string(id) +
                              " must have one role only, but " + first->second +
                              " names it as well");
+            first->second = role.name;
           }
       }
     checker.demand_valid("Fixed points", fixed_points);
@@ -223,7 +224,7 @@ namespace Crevasse
   {
     const Checker checker(section, problems);
     for (const Force &force : forces())
-      checker.demand_valid(force.parameter, force.components);
+      checker.demand_valid(force.parameter, force.values);
     checker.demand_valid("Temperature", temperature);
     checker.demand_valid("Reference temperature", reference);
     checker.demand(reference.text().empty() || temperature.text() != "0",

@@ -125,26 +125,27 @@ namespace Crevasse
       return;
     const unsigned int dim   = scene.dimension - 1;
     const Names        names = read_names(scene.geometry.file_to_read(), dim);
-    for (const BoundaryRole &role : boundary_role_table)
-      {
-        Parsed<BoundaryList> &list = scene.boundary.*role.list;
-        if (!list.is_valid() || list->names.empty())
-          continue;
-        std::vector<std::string> ids;
-        for (const auto id : list->ids)
-          ids.push_back(std::to_string(id));
-        for (const std::string &name : list->names)
+    const auto         with_ids =
+      [&](const char *section, const char *parameter, BoundaryList &list) {
+        for (const std::string &name : std::exchange(list.names, {}))
           if (const auto group = names.find(name); group != names.end())
-            ids.push_back(std::to_string(group->second));
+            list.ids.insert(group->second);
           else if (is_readable(scene.geometry.file_to_read()))
-            problems.add(BoundaryParameters::section,
-                         role.name,
+            problems.add(section,
+                         parameter,
                          describe_unknown("the mesh file has no boundary named",
                                           name,
                                           scene.geometry.file_to_read(),
                                           dim));
-        list = ids.empty() ? "none" : Text::join(ids, ", ");
-      }
+      };
+    for (const BoundaryRole &role : boundary_role_table)
+      if (Parsed<BoundaryList> &list = scene.boundary.*role.list;
+          list.is_valid())
+        with_ids(BoundaryParameters::section, role.name, list.edit());
+    for (const auto &[parameter, values] : scene.loads.by_boundary())
+      if (values->is_valid())
+        for (PlacedFormulas &placed : values->edit())
+          with_ids(LoadParameters::section, parameter, placed.boundaries);
   }
 
 

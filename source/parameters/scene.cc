@@ -3,6 +3,7 @@
 
 #include <crevasse/base/text.h>
 #include <crevasse/parameters/automatic.h>
+#include <crevasse/parameters/built_in_boundary.h>
 #include <crevasse/parameters/checker.h>
 #include <crevasse/parameters/effects.h>
 #include <crevasse/parameters/scene.h>
@@ -72,15 +73,7 @@ namespace Crevasse
                         name_of(is_plane ? Shape::rectangle : Shape::box) +
                         "\"");
 
-      const Checker loads(LoadParameters::section, problems);
-      for (const auto &force : scene.loads.forces())
-        loads.demand(!force.components.is_valid() ||
-                       force.components->empty() ||
-                       force.components->size() == scene.dimension,
-                     force.parameter,
-                     "must be " + dimension +
-                       " formulas, one for each dimension, separated by "
-                       "semicolons, or empty");
+      scene.loads.check_dimension(scene.dimension, problems);
 
       const Checker crack_tip(CrackTipParameters::section, problems);
       crack_tip.demand(is_plane || scene.crack_tip.method !=
@@ -135,6 +128,30 @@ namespace Crevasse
                        "ratio: leave Stiffness matrix and Viscosity matrix "
                        "out, and set Viscous Poisson ratio to Poisson ratio, "
                        "or Viscosity = relaxation time or chain");
+    }
+
+
+
+    /** Checks what depends on the roles of boundaries. */
+    void
+    check_roles(const Scene &scene, Problems &problems)
+    {
+      for (const BoundaryRole &role : boundary_role_table)
+        if (!(scene.boundary.*role.list).is_valid())
+          return;
+      const BoundaryRoles roles =
+        resolve_roles(scene.boundary, built_in_roles(scene.geometry));
+      scene.loads.check_boundaries(roles, problems);
+      const bool    loads_lips = roles.has_loaded_lip();
+      const Checker crack_tip(CrackTipParameters::section, problems);
+      crack_tip.demand(!loads_lips || scene.crack_tip.method !=
+                                        StressIntensityMethod::williams_fit,
+                       "Method",
+                       "williams fit is for lips without load; use automatic");
+      crack_tip.demand(!loads_lips || !scene.crack_tip.creep_integral,
+                       "Creep integral",
+                       "must be false: [Boundary] Loaded names a lip, and the "
+                       "integral does not include loads there");
     }
 
 
@@ -387,6 +404,7 @@ namespace Crevasse
       return;
     check_subdivisions(*this, problems);
     check_body(*this, problems);
+    check_roles(*this, problems);
     check_elements(*this, problems);
     check_methods(*this, problems);
     check_tensors(*this, problems);

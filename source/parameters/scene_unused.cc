@@ -44,7 +44,7 @@ namespace Crevasse
           {
             surface_forces += (surface_forces.empty() ? "" : " or ") +
                               std::string(force.parameter);
-            has_surface_force |= !are_zero(*force.components);
+            has_surface_force |= !are_zero(force.formulas());
           }
       Rules rules = {
         {"Geometry/Width, Height, Thickness, Subdivisions",
@@ -94,7 +94,8 @@ namespace Crevasse
     {
       const ContactParameters &contact = scene.contact;
       const bool               has_contact =
-        resolve_roles(scene.boundary, built_in_roles(scene.geometry)).has_lip();
+        resolve_roles(scene.boundary, built_in_roles(scene.geometry))
+          .has_contact();
       const std::string no_contact =
         "no boundary has the role Contact or Crack";
       const std::string of_solver = "Solver = " + name_of(contact.solver);

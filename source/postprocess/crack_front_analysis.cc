@@ -212,7 +212,7 @@ namespace Crevasse
   {
     const auto       &vertices = region.vertices;
     std::vector<bool> closed(vertices.size());
-    if (body.effects.viscosity.on)
+    if (body.effects.viscosity.on || !body.space.roles.open.empty())
       return closed;
     // Distances to the nearest closed nodes and to the nearest open nodes.
     std::vector<double> least(2 * closed.size(),

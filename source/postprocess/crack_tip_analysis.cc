@@ -47,6 +47,8 @@ namespace Crevasse
       return split.effect.why;
     if (const auto force = Effects::first_on(body.effects.volume_forces))
       return "the integral does not include the " + force->name;
+    if (body.space.roles.has_loaded_lip())
+      return "the integral does not include loads on the lip";
     if (body.effects.varying_viscosity.on)
       return "the viscosity varies in time";
     const MaterialState<2> material = body.material.at(0.);

@@ -91,7 +91,8 @@ namespace Crevasse
                                                       region.cell_radius),
                                              3));
         }
-    if (tip.two_lips || body.space.roles.has_axis)
+    if (tip.two_lips || body.space.roles.has_axis ||
+        body.space.roles.has_loaded_lip())
       return;
     fit_radius = choose_fit_radius();
     fits.emplace(
@@ -159,9 +160,9 @@ namespace Crevasse
     using Method                     = StressIntensityMethod;
     const Method      wish           = scene.crack_tip.method;
     const std::string setting        = "[Crack tip] Method = " + name_of(wish);
-    const bool        must_integrate = // the fit: one lip, plane
+    const bool        must_integrate = // the fit: one lip, plane, unloaded
       wish == Method::interaction_integral || region.tip.two_lips ||
-      body.space.roles.has_axis;
+      body.space.roles.has_axis || body.space.roles.has_loaded_lip();
     if (wish == Method::williams_fit && region.tip.two_lips)
       throw SceneError(setting +
                        ": is for cracks with one lip, on a plane of "
@@ -186,11 +187,12 @@ namespace Crevasse
             "the viscosity at the crack tip is anisotropic in the plane, or "
             "differs between its sides";
           if (must_integrate)
-            throw SceneError(setting + ": " + why +
-                             ", so that the field there is not known. " +
-                             (region.tip.two_lips
-                                ? "Set [Crack tip] Stress intensity = false."
-                                : "Set it to automatic or williams fit."));
+            throw SceneError(
+              setting + ": " + why +
+              ", so that the field there is not known. " +
+              (region.tip.two_lips || body.space.roles.has_loaded_lip()
+                 ? "Set [Crack tip] Stress intensity = false."
+                 : "Set it to automatic or williams fit."));
           return why;
         }
     return "";
@@ -243,7 +245,8 @@ namespace Crevasse
     Estimate     all{};
     const double open = open_length(body.lip, region.tip, sample.state);
     // After creep a closed tip may have singular stress.
-    const bool is_closed = open == 0. && !body.effects.viscosity.on;
+    const bool is_closed =
+      open == 0. && !region.tip.is_open && !body.effects.viscosity.on;
     for (unsigned int i = is_closed ? 1 : 0; i < integrals.size(); ++i)
       {
         const auto &[large, small] = integrals[i];

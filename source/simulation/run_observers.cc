@@ -129,7 +129,10 @@ namespace Crevasse
             const auto        of_tip = add(std::make_unique<TipTable>(
               *tip,
               squares,
-              context,
+              TipContext{run.steps,
+                         run.flow,
+                         tip->intensity.region.tip.is_open ? nullptr : closure,
+                         run.log},
               table("crack_tip" + number + ".csv", TipTable::columns(*tip))));
             tips.push_back(of_tip);
             for (const double sign : {1., -1.})

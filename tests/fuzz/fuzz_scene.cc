@@ -70,9 +70,8 @@ namespace
         for (const auto &branch : law.branches)
           branch.fluidity.at(place);
         scene.boundary.gap->value(place);
-        for (const auto *load :
-             {&scene.loads.traction, &scene.loads.body_force})
-          for (const Expression &component : **load)
+        for (const auto &force : scene.loads.forces())
+          for (const Expression &component : force.formulas())
             component.value(place);
       }
   }

@@ -72,7 +72,9 @@ CHOICES = {
                "Material/Creep exponent=3"], False, False, "nonlinear"),
     "revolution": (["Material/Plane state=axisymmetric",
                     "Geometry/Shape=centre crack"], False, True, "axisymmetric"),
-    "no lip": (["Boundary/Contact=none"], False, False, "Contact"),
+    "open lip": (["Boundary/Contact=none"], True, True, "built-in"),
+    "no lip": (["Boundary/Contact=none", "Boundary/Open crack=none"], False, False,
+               "Contact"),
     "space": (["Dimension=3", "Loads/Traction=0; 10*sin(2*pi*t/600); 0",
                "Geometry/Subdivisions=4, 2, 1"], False, False, "Dimension = 3"),
     "asked for": (["Discretisation/Singular functions=3"], True, True, "= 3"),
@@ -140,7 +142,8 @@ def test_asked_for_or_not():
         code, _, error = execute("--check", scene, *overrides(settings + more))
         check(code == 2 and "is not the same on all sides" in error, error)
     for settings, reason in (
-            (["Boundary/Contact=none", *paris], "the mesh has no crack tip"),
+            (["Boundary/Contact=none", "Boundary/Open crack=none",
+              *paris], "the mesh has no crack tip"),
             (["Material/Plane state=axisymmetric", "Material/Viscosity=isotropic",
               "Material/Viscous Poisson ratio=0.4", *paris], "its elastic Poisson"),
             (["Crack tip/Radius=0.9"], "[Crack tip] Radius = 0.9: must be at most")):
@@ -170,7 +173,7 @@ def test_not_used():
                                             f"Crack tip/{setting}"])
         name, value = setting.split("=")
         check(f"[Crack tip] {name} = {value} is not used: automatic: no boundary has the "
-              "role Contact or Crack" in results.summary["warnings"],
+              "role Contact, Crack or Open crack" in results.summary["warnings"],
               f"{results.summary['warnings']}")
 
 

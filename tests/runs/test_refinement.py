@@ -292,7 +292,8 @@ def refused(settings, expected):
 def test_refusals():
     refused([TIP, "Refinement/Cycles=2", "Geometry/Shape=rectangle"],
             "the mesh has no crack tip")
-    refused([TIP, "Refinement/Cycles=2", "Boundary/Contact=none"],
+    refused([TIP, "Refinement/Cycles=2", "Boundary/Contact=none",
+             "Boundary/Open crack=none"],
             "the mesh has no crack tip")
     refused([TIP, "Refinement/Cycles=30"], "must be at most 26")
     refused([ADAPTIVE, "Refinement/Cycles=2", "Loads/Traction=0; 0"],

@@ -64,6 +64,13 @@ namespace Crevasse
       return &**this;
     }
 
+    /** Parsed value, to be changed in place: names replaced by numbers. */
+    Value &
+    edit()
+    {
+      return *value;
+    }
+
     const std::string &
     text() const
     {

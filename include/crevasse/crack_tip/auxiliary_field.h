@@ -67,10 +67,11 @@ namespace Crevasse
     /** Creates a zero field. */
     AuxiliaryField() = default;
 
-    /** Computes the factors at a point. @param point not the tip itself. */
+    /** Computes the factors at a point.
+     * @param local the point (X, Y), not (0, 0). */
     AuxiliaryField(const CrackTip         &tip,
                    const CrackMode         mode,
-                   const dealii::Point<2> &point,
+                   const dealii::Point<2> &local,
                    const SquareWeight     &weight);
 
     /** Adds another field times a factor. */

@@ -18,12 +18,13 @@ namespace Crevasse
    * front, with its hat function h(s), SquareWeight Q(X,Y) and q = h Q,
    *
    *     ∫ K h ds = M ∫ [s:ε(w) − (S s + ε*):τ − b·w] dV
-   *                − ∫_lips p M w_n dA,
+   *                − ∫_lips (p n + t)·M w dA,
    *     w = q u^B,    τ = inc(q φ^B t ⊗ t),
    *
-   * with M = E', the plane field u^B, φ^B in the planes across the front, its
-   * tangent t, the normal n of the crack into the body, and the incompatibility
-   * operator inc = ∇× (∇× ·)ᵀ. With g = 1 + kX,
+   * with the pressure p of contact, a given force t on the lips, M = E', the
+   * plane field u^B, φ^B in the planes across the front, its tangent t, the
+   * normal n of the crack into the body, and the incompatibility operator inc =
+   * ∇× (∇× ·)ᵀ. With g = 1 + kX,
    *
    *     τ_aa = φ_YY,  τ_nn = φ_XX + 2k φ_X/g,  τ_an = −φ_XY − k φ_Y/g,
    *
@@ -90,6 +91,17 @@ namespace Crevasse
     const Body<3>     &body;
     const FrontRegion &region;
 
+    /** Point of a loaded lip, with its vertex of the front. */
+    struct LoadedPoint
+    {
+      unsigned int               vertex;
+      dealii::types::boundary_id id;
+      dealii::Point<3>           point;
+      dealii::Tensor<1, 3>       normal, of_force;
+    };
+
+    const LoadParameters                            &loads;
+    std::vector<LoadedPoint>                         loaded;
     std::vector<std::pair<unsigned int, Expression>> body_force;
     std::vector<Kernel>                              kernels;
     /** Vertex of the front, node of the lip, factor of its contact force. */

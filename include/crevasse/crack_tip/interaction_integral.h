@@ -5,6 +5,7 @@
 #define crevasse_crack_tip_interaction_integral_h
 
 #include <crevasse/crack_tip/auxiliary_field.h>
+#include <crevasse/crack_tip/lip_integral.h>
 #include <crevasse/crack_tip/tip_region.h>
 #include <crevasse/material/plane_elasticity.h>
 #include <crevasse/model/body.h>
@@ -26,10 +27,12 @@ namespace Crevasse
    *     w = q u^B,     τ = curl curl (q φ^B) = q σ^B + τ′,
    *
    *     K_I = E' ∫ [s:ε(w) − ε(u):τ − b·w] dA + ∫_lip 2 p q / √(2πr) ds
+   *           − E' ∫_lip t·w ds
    *         = ∫ s:N dA − E' ∫ [(S − S_tip) s + ε*]:τ dA − …,
    *     N   = E' (sym(∇q ⊗ u^B) − S_tip τ′).
    *
-   * S is the compliance in the plane and ε* the strain without stress. τ is in
+   * with the pressure p of contact and the given force t on the lip. S is the
+   * compliance in the plane and ε* the strain without stress. τ is in
    * equilibrium and leaves the lip free, so compatible strains, e.g. uniform
    * ones, contribute nothing. No derivative of moduli or strains occurs: they
    * may vary and jump (the "incompatibility formulation": Dolbow, Gosz, Int. J.
@@ -114,17 +117,29 @@ namespace Crevasse
     void
     integrate_over_cells(const Squares &squares);
 
+    /** @param local the point (X, Y). */
     AuxiliaryField
-    field_at(const dealii::Point<2> &point, const SquareWeight &weight) const;
+    field_at(const dealii::Point<2> &local, const SquareWeight &weight) const;
 
-    /** Makes a uniform strain contribute nothing, to rounding: the rules in the
-     * cells at the tip are not exact. */
+    /** Integrates over the lips: keeps the loaded points.
+     * @return the factors of a uniform stress that the lips bear. */
+    std::array<VoigtVector<2>, 2>
+    integrate_over_lips(const double size);
+
+    /** Makes a uniform strain contribute nothing, and a uniform stress as much
+     * as the lips bear of it, to rounding: the rules in the cells at the tip
+     * are not exact. */
     void
-    balance();
+    balance(const std::array<VoigtVector<2>, 2> &lips);
 
-    /** Contribution of the body force at an instant. */
+    /** Components of a factor of uniform stress that the body can bear without
+     * other forces than those on the lips. */
+    VoigtVector<2>
+    what_lips_bear(const VoigtVector<2> &of_stress) const;
+
+    /** Contribution, on this rank, of body force and loads on lips. */
     double
-    of_body_force(const double t, const double kappa) const;
+    of_forces(const double t, const double kappa) const;
 
     /** Contribution, on this rank, of varying moduli, thermal strain, creep. */
     double
@@ -138,7 +153,9 @@ namespace Crevasse
     const TipRegion                                 &region;
     const CrackMode                                  mode;
     const double                                     kappa_of_ring;
+    const LoadParameters                            &loads;
     std::vector<std::pair<unsigned int, Expression>> body_force;
+    std::vector<std::pair<LipPoint, AuxiliaryField>> loaded; ///< on lips
     std::vector<Kernel>                              kernels;
     bool                has_creep = false; ///< whether viscous strain enters
     std::vector<double> of_contact_forces;

@@ -16,6 +16,21 @@ namespace Crevasse
   lip_integral(const Body<2>      &body,
                const CrackTip     &tip,
                const SquareWeight &weight);
+
+  /** Quadrature point on the lips of a tip. */
+  struct LipPoint
+  {
+    dealii::types::boundary_id id;
+    dealii::Point<2>           point;
+    dealii::Point<2>           local;  ///< (X, Y), Y with the sign of the lip
+    dealii::Tensor<1, 2>       normal; ///< outward
+    double                     weight; ///< share of the lip's area
+  };
+
+  /** This rank's points on the lips of a tip within a square of this size, for
+   * integrals of smooth functions and of √r or 1/√r. */
+  std::vector<LipPoint>
+  lip_points(const Space<2> &space, const CrackTip &tip, const double size);
 } // namespace Crevasse
 
 #endif

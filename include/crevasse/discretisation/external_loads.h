@@ -17,6 +17,16 @@ namespace Crevasse
   std::vector<std::pair<unsigned int, Expression>>
   components_in_volume(const LoadParameters &parameters);
 
+  /** Traction and pressure at a point of a loaded boundary, as a force per
+   * area. @param normal outward. */
+  template <int dim>
+  dealii::Tensor<1, dim>
+  surface_force(const LoadParameters            &parameters,
+                const dealii::types::boundary_id id,
+                const dealii::Point<dim>        &point,
+                const dealii::Tensor<1, dim>    &normal,
+                const double                     t);
+
   /**
    * Load vector ∫ φ₁·v + ∫_∂₃ φ₂·v as a function of time. Integrals are
    * computed once where possible: a component that depends on time alone is its
@@ -60,14 +70,21 @@ namespace Crevasse
     using Weights =
       std::vector<std::pair<dealii::types::global_dof_index, double>>;
 
+    /** A component of a force where it acts. */
+    struct Part
+    {
+      const LoadParameters::Force &force;
+      const PlacedFormulas        &placed;
+      unsigned int                 component;
+    };
+
     /** Calls f(point, weights) for the points of this rank in the volume or on
-     * the loaded boundary. */
+     * the loaded boundaries of a part. */
     template <typename Function>
     static void
-    for_each_loaded_point(const Space<dim>  &space,
-                          const unsigned int component,
-                          const bool         in_volume,
-                          const Function    &f);
+    for_each_loaded_point(const Space<dim> &space,
+                          const Part       &part,
+                          const Function   &f);
 
     /** Load f(t) times integrals of shape functions. */
     struct Amplitude
@@ -90,11 +107,8 @@ namespace Crevasse
       std::vector<WeightedPoint> points;
     };
 
-    /** Adds a component that acts in the volume or on the loaded boundary. */
     void
-    add(Expression               &&component_value,
-        const unsigned int         component,
-        const bool                 in_volume,
+    add(const Part                &part,
         const Space<dim>          &space,
         const StrainOperator<dim> &strain_operator);
 

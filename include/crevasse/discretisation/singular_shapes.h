@@ -44,12 +44,13 @@ namespace Crevasse
     gradient(const dealii::Point<2> &point,
              const dealii::Point<2> &cell_center) const;
 
-    /** Whether ψ opens the crack at the tip, so that its coefficient must not
-     * be negative. */
+    /** Whether ψ opens a crack that may close at the tip, so that its
+     * coefficient must not be negative. */
     bool
     opens() const
     {
-      return mode == CrackMode::opening && stress_intensity > 0.;
+      return mode == CrackMode::opening && stress_intensity > 0. &&
+             !tip.is_open;
     }
 
     CrackTip   tip;

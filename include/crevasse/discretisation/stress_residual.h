@@ -5,9 +5,9 @@
 #define crevasse_discretisation_stress_residual_h
 
 #include <crevasse/discretisation/cell_polynomials.h>
+#include <crevasse/discretisation/external_loads.h>
 #include <crevasse/lip/contact_boundary.h>
 #include <crevasse/material/voigt.h>
-#include <crevasse/parameters/parameters.h>
 
 #include <deal.II/fe/fe_interface_values.h>
 #include <deal.II/lac/vector.h>
@@ -33,6 +33,8 @@ namespace Crevasse
                    const ContactForces        &contact_forces)
       : stress(polynomials.coefficients())
       , space(space)
+      , loads(loads)
+      , volume_forces(components_in_volume(loads))
       , instant(t)
       , inside(space.mapping,
                polynomials.dof_handler.get_fe(),
@@ -60,9 +62,6 @@ namespace Crevasse
       , pressure(lip.pressure(contact_forces))
       , pressures(here.size(), dealii::Vector<double>(dim))
     {
-      for (const LoadParameters::Force &force : loads.forces())
-        (force.in_volume ? volume_forces : tractions)
-          .push_back(*force.components);
     }
 
     /** Residual in a cell: ∫ ‖div s + φ₁‖². */
@@ -76,8 +75,9 @@ namespace Crevasse
       double integral = 0.;
       for (const unsigned int q : inside.quadrature_point_indices())
         {
-          dealii::Tensor<1, dim> residual =
-            sum(volume_forces, inside.quadrature_point(q));
+          dealii::Tensor<1, dim> residual;
+          for (const auto &[d, force] : volume_forces)
+            residual[d] += force.value(inside.quadrature_point(q), instant);
           for (unsigned int i = 0; i < dim; ++i)
             for (unsigned int j = 0; j < dim; ++j)
               residual[i] += gradients[q][voigt_index<dim>(i, j)][j];
@@ -162,7 +162,7 @@ namespace Crevasse
             here[q][c] += more[c];
           dealii::Tensor<1, dim> residual = traction_of(here[q], normal);
           if (roles.loaded.count(id) > 0)
-            residual -= sum(tractions, point);
+            residual -= surface_force<dim>(loads, id, point, normal, instant);
           if (roles.symmetry.count(id) > 0)
             residual -= (residual * normal) * normal;
           else if (is_lip)
@@ -189,17 +189,6 @@ namespace Crevasse
       return traction;
     }
 
-    dealii::Tensor<1, dim>
-    sum(const std::vector<std::vector<Expression>> &forces,
-        const dealii::Point<dim>                   &point) const
-    {
-      dealii::Tensor<1, dim> all;
-      for (const std::vector<Expression> &components : forces)
-        for (unsigned int d = 0; d < components.size(); ++d)
-          all[d] += components[d].value(point, instant);
-      return all;
-    }
-
     double
     size_of(const dealii::FEFaceValuesBase<dim> &face) const
     {
@@ -211,9 +200,10 @@ namespace Crevasse
       return std::pow(measure, 1. / (dim - 1));
     }
 
-    const Space<dim>                    &space;
-    const double                         instant;
-    std::vector<std::vector<Expression>> volume_forces, tractions;
+    const Space<dim>                                      &space;
+    const LoadParameters                                  &loads;
+    const std::vector<std::pair<unsigned int, Expression>> volume_forces;
+    const double                                           instant;
 
     dealii::FEValues<dim>          inside;
     dealii::FEInterfaceValues<dim> faces;

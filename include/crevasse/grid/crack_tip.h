@@ -37,6 +37,8 @@ namespace Crevasse
       inward; ///< direction of Y, into the body above the crack
     /** Whether the body is modelled on both sides of the crack. */
     bool two_lips = false;
+    /** Whether the lips never touch. */
+    bool is_open = false;
 
     /** Local coordinates (X, Y) of a point. */
     dealii::Point<2>

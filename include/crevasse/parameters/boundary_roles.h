@@ -7,6 +7,7 @@
 #include <deal.II/base/point.h>
 #include <deal.II/base/types.h>
 
+#include <algorithm>
 #include <array>
 #include <set>
 #include <string>
@@ -16,7 +17,8 @@ namespace Crevasse
 {
   /** Boundary ids that are clamped, symmetry planes, loaded, and crack lips.
    * Other boundaries are traction-free. Lips of contact touch rigid planes,
-   * lips of a crack touch each other. */
+   * lips of a crack touch each other, and lips of an open crack never touch.
+   * Lips may be loaded, too. */
   struct BoundaryRoles
   {
     std::set<dealii::types::boundary_id> clamped;
@@ -24,20 +26,42 @@ namespace Crevasse
     std::set<dealii::types::boundary_id> loaded;
     std::set<dealii::types::boundary_id> contact;
     std::set<dealii::types::boundary_id> crack;
+    std::set<dealii::types::boundary_id> open;
     /** Whether x₁ = 0 is the axis of a body of revolution, where the radial
      * displacement vanishes. */
     bool has_axis = false;
 
     bool
-    has_lip() const
+    has_contact() const
     {
       return !contact.empty() || !crack.empty();
     }
 
     bool
-    is_lip(const dealii::types::boundary_id id) const
+    has_lip() const
+    {
+      return has_contact() || !open.empty();
+    }
+
+    /** Whether a boundary is a lip that may touch. */
+    bool
+    touches(const dealii::types::boundary_id id) const
     {
       return contact.count(id) > 0 || crack.count(id) > 0;
+    }
+
+    bool
+    is_lip(const dealii::types::boundary_id id) const
+    {
+      return touches(id) || open.count(id) > 0;
+    }
+
+    bool
+    has_loaded_lip() const
+    {
+      return std::any_of(loaded.begin(), loaded.end(), [this](const auto id) {
+        return is_lip(id);
+      });
     }
   };
 

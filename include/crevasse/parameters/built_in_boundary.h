@@ -36,7 +36,7 @@ namespace Crevasse
 
   /** Roles of boundary ids. A list of the user has precedence: it replaces the
    * automatic list of its role, and its ids are removed from the automatic
-   * lists of other roles. */
+   * lists of other roles; but lips stay lips if they are loaded. */
   BoundaryRoles
   resolve_roles(const BoundaryParameters &parameters,
                 const BoundaryRoles      &automatic);

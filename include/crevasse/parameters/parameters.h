@@ -9,6 +9,7 @@
 #include <crevasse/parameters/crack_tip_parameters.h>
 #include <crevasse/parameters/field_times.h>
 #include <crevasse/parameters/formulas.h>
+#include <crevasse/parameters/load_parameters.h>
 #include <crevasse/parameters/probe_list.h>
 #include <crevasse/parameters/selections.h>
 #include <crevasse/parameters/solver_selections.h>
@@ -67,6 +68,7 @@ namespace Crevasse
     Parsed<BoundaryList>   loaded{"automatic", parse_boundary_list};
     Parsed<BoundaryList>   contact{"automatic", parse_boundary_list};
     Parsed<BoundaryList>   crack{"none", parse_boundary_list};
+    Parsed<BoundaryList>   open_crack{"automatic", parse_boundary_list};
     Parsed<FixedPointList> fixed_points{"automatic", parse_fixed_points};
     /** Lower bound of u_N on the lip. */
     Formula gap{"0", gap_formula()};
@@ -83,14 +85,22 @@ namespace Crevasse
     const char          *name;
     Parsed<BoundaryList> BoundaryParameters::*list;
     std::set<dealii::types::boundary_id> BoundaryRoles::*ids;
+    bool is_lip; ///< whether the boundaries may be loaded, too
   };
 
   constexpr BoundaryRole boundary_role_table[] = {
-    {"Clamped", &BoundaryParameters::clamped, &BoundaryRoles::clamped},
-    {"Symmetry", &BoundaryParameters::symmetry, &BoundaryRoles::symmetry},
-    {"Loaded", &BoundaryParameters::loaded, &BoundaryRoles::loaded},
-    {"Contact", &BoundaryParameters::contact, &BoundaryRoles::contact},
-    {"Crack", &BoundaryParameters::crack, &BoundaryRoles::crack}};
+    {"Clamped", &BoundaryParameters::clamped, &BoundaryRoles::clamped, false},
+    {"Symmetry",
+     &BoundaryParameters::symmetry,
+     &BoundaryRoles::symmetry,
+     false},
+    {"Loaded", &BoundaryParameters::loaded, &BoundaryRoles::loaded, false},
+    {"Contact", &BoundaryParameters::contact, &BoundaryRoles::contact, true},
+    {"Crack", &BoundaryParameters::crack, &BoundaryRoles::crack, true},
+    {"Open crack",
+     &BoundaryParameters::open_crack,
+     &BoundaryRoles::open,
+     true}};
 
   struct MaterialParameters : FormulaParsers
   {
@@ -145,38 +155,6 @@ namespace Crevasse
       const auto law = traits(viscosity).creep_law;
       return law == nullptr ? nullptr : &law();
     }
-
-    void
-    add_parameters(dealii::ParameterHandler &prm);
-    void
-    check(Problems &problems) const;
-  };
-
-  struct LoadParameters : FormulaParsers
-  {
-    static constexpr const char *section = "Loads";
-
-    double period = 1.;
-    // A formula of x, y, z, t for each component; empty without such a load.
-    Formulas traction{"", load_components("Traction")};
-    Formulas body_force{"", load_components("Body force")};
-    /** Temperature: a formula of x, y, z, t; no value: the name of a file. */
-    Parsed<std::optional<Expression>> temperature{"0", temperature_formula()};
-    /** Absolute temperature without strain; no value: theta is a change. */
-    Parsed<std::optional<double>> reference{"", parse_optional_number};
-
-    /** A force on the body. A force in the volume is an effect. */
-    struct Force
-    {
-      const char     *parameter;
-      const char     *effect; ///< name of the effect in the log
-      const Formulas &components;
-      bool            in_volume; ///< force in the volume, else on a boundary
-    };
-
-    /** All forces: code that handles one handles each. */
-    std::vector<Force>
-    forces() const;
 
     void
     add_parameters(dealii::ParameterHandler &prm);
