@@ -213,10 +213,11 @@ namespace Crevasse
     const auto   all  = [&frames](const auto &condition) {
       return std::all_of(frames.begin(), frames.end(), condition);
     };
-    const bool is_lip   = space.roles.is_lip(id);
-    const bool is_plane = space.roles.symmetry.count(id) > 0;
-    const bool is_loaded =
-      space.roles.loaded.count(id) > 0 || space.roles.clamped.count(id) > 0;
+    const bool is_lip    = space.roles.is_lip(id);
+    const bool is_plane  = space.roles.symmetry.count(id) > 0;
+    const bool is_loaded = space.roles.loaded.count(id) > 0 ||
+                           space.roles.clamped.count(id) > 0 ||
+                           space.roles.displaced.count(id) > 0;
     if (all([&](const FrontFrame &f) { return std::abs(f.Y) < tiny; }))
       // With straight edges a face may reach a little beyond the front.
       return frames[frames.size() / 2].X < 0. ? is_lip : is_plane;

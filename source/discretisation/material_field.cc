@@ -120,13 +120,15 @@ namespace Crevasse
 
 
   template <int dim>
-  MaterialField<dim>::MaterialField(const Space<dim>           &space,
-                                    const QuadratureField<dim> &points,
-                                    const MaxwellLaw<dim>      &law,
-                                    const Temperature<dim>     &temperature)
+  MaterialField<dim>::MaterialField(const Space<dim>               &space,
+                                    const QuadratureField<dim>     &points,
+                                    const MaxwellLaw<dim>          &law,
+                                    const Temperature<dim>         &temperature,
+                                    const ImposedDisplacement<dim> *imposed)
     : communicator(space.communicator())
     , law(law)
     , temperature(temperature)
+    , imposed(imposed != nullptr && imposed->is_on ? imposed : nullptr)
     , free_strains(free_strains_of(law, temperature))
     , n_points(points.n_local_points)
   {
@@ -181,6 +183,8 @@ namespace Crevasse
       if (law.creep != nullptr && !stiffness_varies && !fluidity_varies)
         constant.creep = evaluate_creep(*constant.stiffness, 0.);
     });
+    if (!free_strain_varies())
+      constant.free_strain = evaluate_free_strain(constant.thermal_strain, 0.);
   }
 
 
@@ -333,30 +337,11 @@ namespace Crevasse
 
 
   template <int dim>
-  std::size_t
-  MaterialField<dim>::memory_of_variation(const MaterialState<dim> &state) const
-  {
-    std::size_t bytes = 0;
-    if (stiffness_varies)
-      bytes += state.stiffness->memory_consumption();
-    for (unsigned int i = 0; i < fluidity_is_free.size(); ++i)
-      if (fluidity_is_free[i])
-        bytes += state.fluidity[i]->memory_consumption();
-    if (thermal_strain_varies)
-      bytes += state.thermal_strain->memory_consumption();
-    if (state.creep != nullptr && constant.creep == nullptr)
-      bytes += state.creep->memory_consumption();
-    return bytes;
-  }
-
-
-
-  template <int dim>
   MaterialState<dim>
   MaterialField<dim>::at(const double t) const
   {
     MaterialState<dim> state = constant;
-    if (stiffness_varies || fluidity_varies || thermal_strain_varies)
+    if (stiffness_varies || fluidity_varies || free_strain_varies())
       collectively(communicator, [&]() {
         if (state.stiffness == nullptr)
           state.stiffness = evaluate(law.stiffness, t);
@@ -368,6 +353,8 @@ namespace Crevasse
         if (law.creep != nullptr && state.creep == nullptr)
           state.creep = evaluate_creep(*state.stiffness, t);
       });
+    if (free_strain_varies())
+      state.free_strain = evaluate_free_strain(state.thermal_strain, t);
     set_factors(t, state);
     return state;
   }

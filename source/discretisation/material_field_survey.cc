@@ -150,6 +150,46 @@ namespace Crevasse
 
 
 
+  template <int dim>
+  std::shared_ptr<const typename MaterialField<dim>::Vectors>
+  MaterialField<dim>::evaluate_free_strain(
+    const std::shared_ptr<const Vectors> &thermal,
+    const double                          t) const
+  {
+    if (imposed == nullptr)
+      return thermal;
+    std::vector<VoigtVector<dim>> strains(n_points);
+    for (std::size_t p = 0; thermal != nullptr && p < n_points; ++p)
+      strains[p] = (*thermal)[p];
+    imposed->add_strains(imposed->values(t), -1., strains);
+    return std::make_shared<const Vectors>(std::move(strains));
+  }
+
+
+
+  template <int dim>
+  std::size_t
+  MaterialField<dim>::memory_of_variation(const MaterialState<dim> &state) const
+  {
+    std::size_t bytes = 0;
+    if (stiffness_varies)
+      bytes += state.stiffness->memory_consumption();
+    for (unsigned int i = 0; i < fluidity_is_free.size(); ++i)
+      if (fluidity_is_free[i])
+        bytes += state.fluidity[i]->memory_consumption();
+    if (free_strain_varies())
+      bytes += state.free_strain->memory_consumption();
+    if (state.creep != nullptr && constant.creep == nullptr)
+      bytes += state.creep->memory_consumption();
+    return bytes;
+  }
+
+
+
+  template std::size_t
+  MaterialField<2>::memory_of_variation(const MaterialState<2> &) const;
+  template std::size_t
+  MaterialField<3>::memory_of_variation(const MaterialState<3> &) const;
   template RelaxationTimes
   MaterialField<2>::relaxation_times(const std::vector<double> &,
                                      const double) const;
@@ -166,4 +206,12 @@ namespace Crevasse
   template VoigtVector<3>
   MaterialField<3>::thermal_strain(const Property<VoigtVector<3>> &,
                                    Place<3>) const;
+  template std::shared_ptr<const PointValues<VoigtVector<2>>>
+  MaterialField<2>::evaluate_free_strain(
+    const std::shared_ptr<const PointValues<VoigtVector<2>>> &,
+    const double) const;
+  template std::shared_ptr<const PointValues<VoigtVector<3>>>
+  MaterialField<3>::evaluate_free_strain(
+    const std::shared_ptr<const PointValues<VoigtVector<3>>> &,
+    const double) const;
 } // namespace Crevasse

@@ -306,8 +306,8 @@ namespace Crevasse
       const BoundaryRoles     &roles = space.roles;
       std::vector<std::string> ids;
       for (const types::boundary_id id : space.mesh().get_boundary_ids())
-        if (roles.clamped.count(id) + roles.symmetry.count(id) +
-                roles.loaded.count(id) ==
+        if (roles.clamped.count(id) + roles.displaced.count(id) +
+                roles.symmetry.count(id) + roles.loaded.count(id) ==
               0 &&
             !roles.is_lip(id))
           ids.push_back(std::to_string(id));

@@ -157,9 +157,7 @@ namespace Crevasse
     auto &all = supports_and_hanging;
     all.reinit(DoFTools::extract_locally_relevant_dofs(dof_handler));
     DoFTools::make_hanging_node_constraints(dof_handler, all);
-    for (const auto id : roles.clamped)
-      VectorTools::interpolate_boundary_values(
-        mapping, dof_handler, id, Functions::ZeroFunction<dim>(dim), all);
+    hold_boundaries();
     if (!roles.symmetry.empty())
       VectorTools::compute_no_normal_flux_constraints(
         dof_handler, 0, roles.symmetry, all, mapping);

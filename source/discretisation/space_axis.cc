@@ -6,6 +6,8 @@
 #include <crevasse/base/text.h>
 #include <crevasse/discretisation/space.h>
 
+#include <deal.II/numerics/vector_tools.h>
+
 namespace Crevasse
 {
   using namespace dealii;
@@ -49,8 +51,35 @@ namespace Crevasse
 
 
 
+  template <int dim>
+  void
+  Space<dim>::hold_boundaries()
+  {
+    std::set<types::boundary_id> ids = roles.clamped;
+    ids.insert(roles.displaced.begin(), roles.displaced.end());
+    for (const auto id : ids)
+      {
+        ComponentMask mask(dim, true);
+        for (unsigned int d = 0; d < dim; ++d)
+          mask.set(d, roles.free.count({id, d}) == 0);
+        VectorTools::interpolate_boundary_values(mapping,
+                                                 dof_handler,
+                                                 id,
+                                                 Functions::ZeroFunction<dim>(
+                                                   dim),
+                                                 supports_and_hanging,
+                                                 mask);
+      }
+  }
+
+
+
   template void
   Space<2>::hold_axis();
   template void
   Space<3>::hold_axis();
+  template void
+  Space<2>::hold_boundaries();
+  template void
+  Space<3>::hold_boundaries();
 } // namespace Crevasse

@@ -91,14 +91,13 @@ namespace Crevasse
     harmonics.analyse(load);
 
     using Field = QuadratureField<dim>;
-    if (!body.material.has_thermal_strain)
+    if (!body.material.has_free_strain())
       return;
-    const bool varies = body.material.thermal_strain_varies;
+    const bool varies = body.material.free_strain_varies();
     thermal_strain.resize(varies ? harmonics.n_instants : 1);
     for (unsigned int j = 0; j < thermal_strain.size(); ++j)
       {
-        const auto strain =
-          body.material.at(harmonics.instant(j)).thermal_strain;
+        const auto strain = body.material.at(harmonics.instant(j)).free_strain;
         body.points.initialize(thermal_strain[j]);
         for (std::size_t p = 0; p < body.points.n_local_points; ++p)
           Field::set(thermal_strain[j], p * Field::n_components, (*strain)[p]);

@@ -202,7 +202,8 @@ namespace Crevasse
                                systems.system_at(0.).linear_solver());
 
     const Vector mean_load = fourier.mean_load();
-    if (mean_load.linfty_norm() > fourier.negligible_load())
+    if (mean_load.linfty_norm() > fourier.negligible_load() ||
+        body.imposed.flows)
       {
         const Stopwatch phase("secular problem");
         result.flow = solve_secular_problem(body, mean_load, systems);

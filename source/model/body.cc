@@ -107,6 +107,10 @@ namespace Crevasse
     BoundaryRoles roles =
       resolve_roles(scene.boundary, built_in_roles(scene.geometry));
     roles.has_axis = scene.is_axisymmetric();
+    for (const auto id : roles.displaced)
+      if (const auto *placed = placed_on(id, scene.loads.displacement))
+        for (const unsigned int d : placed->free)
+          roles.free.emplace(id, d);
     for (const LoadParameters::Force &force : scene.loads.forces())
       if (!force.in_volume && roles.loaded.empty() &&
           !are_zero(force.formulas()))
@@ -226,7 +230,8 @@ namespace Crevasse
             tip_functions(scene, *mesh, law, temperature))
     , held_by_contact(rigid_motions_held_by_contact(space))
     , points(space)
-    , material(space, points, law, temperature)
+    , imposed(space, points, scene.loads)
+    , material(space, points, law, temperature, &imposed)
     , strain_operator(space, points)
     , lip(space.lip,
           space.dof_handler,
@@ -243,6 +248,23 @@ namespace Crevasse
            ExcInternalError());
     Assert(effects.varying_viscosity.on || !material.fluidity_varies,
            ExcInternalError());
+  }
+
+
+
+  template <int dim>
+  Vector
+  Body<dim>::nodal_displacement(const Vector &displacement,
+                                const double  t,
+                                const double  time) const
+  {
+    Vector nodal = space.nodal_values(displacement);
+    if (imposed.is_on)
+      {
+        imposed.add_values(imposed.values(t), 1., nodal);
+        imposed.add_values(imposed.rates, time, nodal);
+      }
+    return nodal;
   }
 
 

@@ -103,7 +103,7 @@ namespace Crevasse
   {
     const MaterialField<dim> &field = body.material;
     const bool varies = field.stiffness_varies || field.fluidity_varies ||
-                        field.thermal_strain_varies;
+                        field.free_strain_varies();
     // A material that does not vary has its only state at t = 0.
     const auto state = materials.at({varies ? t : 0., 0.}, [&]() {
       return std::make_shared<MaterialState<dim>>(field.at(t));

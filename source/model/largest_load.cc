@@ -11,21 +11,34 @@ namespace Crevasse
 {
   namespace
   {
-    /** Largest nodal force of the stress that thermal strain would cause in a
-     * body that is held everywhere. */
+    /** Nodal forces of the stress that thermal strain and imposed displacements
+     * would cause in a body that is held everywhere. */
     template <int dim>
-    double
-    largest_thermal_load(const Body<dim> &body, const double t)
+    Vector
+    free_strain_load(const Body<dim> &body, const double t)
     {
       const MaterialState<dim> material = body.material.at(t);
       Vector                   forces;
       body.strain_operator.initialize(forces);
       body.strain_operator.add_transpose(forces, [&](const std::size_t offset) {
         const std::size_t point = offset / n_stress_components<dim>;
-        return material.stiffness_factor * ((*material.stiffness)[point] *
-                                            (*material.thermal_strain)[point]);
+        return material.stiffness_factor *
+               ((*material.stiffness)[point] * (*material.free_strain)[point]);
       });
-      return forces.linfty_norm();
+      return forces;
+    }
+
+
+
+    /** Loads, and what imposed displacements load the body with. */
+    template <int dim>
+    Vector
+    driving_loads(const Body<dim> &body, const double t)
+    {
+      Vector loads = loads_at(body, t);
+      if (body.imposed.is_on)
+        loads += free_strain_load(body, t);
+      return loads;
     }
   } // namespace
 
@@ -52,7 +65,7 @@ namespace Crevasse
     {
       std::vector<double> norms;
       for (const double t : instants)
-        norms.push_back(loads_at(body, t).l2_norm());
+        norms.push_back(driving_loads(body, t).l2_norm());
       return instants[std::max_element(norms.begin(), norms.end()) -
                       norms.begin()];
     }
@@ -77,12 +90,12 @@ namespace Crevasse
   instants_of_extreme_loads(const Body<dim> &body, const StepList &steps)
   {
     const double        largest  = instant_of_largest_load(body, steps);
-    const Vector        loads    = loads_at(body, largest);
+    const Vector        loads    = driving_loads(body, largest);
     constexpr double    rounding = 1e-6;
     double              least    = -rounding * (loads * loads);
     std::vector<double> extremes = {largest};
     for (unsigned int k = 0; k < steps.n_steps(); ++k)
-      if (const double product = loads_at(body, steps.instant(k)) * loads;
+      if (const double product = driving_loads(body, steps.instant(k)) * loads;
           product < least)
         {
           least    = product;
@@ -109,10 +122,11 @@ namespace Crevasse
                               loads);
           largest = std::max(largest, loads.linfty_norm());
         }
-    if (body.material.has_thermal_strain)
+    if (body.material.has_free_strain())
       for (unsigned int k = 0; k < steps.n_steps(); ++k)
         largest =
-          std::max(largest, largest_thermal_load(body, steps.instant(k)));
+          std::max(largest,
+                   free_strain_load(body, steps.instant(k)).linfty_norm());
     if (largest != 0. && !Ranges::size.contains(largest))
       throw SceneError(
         "[Loads]: the largest force on a node over a period is " +
@@ -133,13 +147,13 @@ namespace Crevasse
     for (unsigned int k = 0; k < steps.n_steps(); ++k)
       {
         const double begin = steps.instant(k), end = begin + steps.step(k);
-        Vector       line   = loads_at(body, begin);
-        Vector       within = loads_at(body, begin + fraction * (end - begin));
-        largest = std::max({largest, line.l2_norm(), within.l2_norm()});
+        Vector       line = driving_loads(body, begin);
+        Vector within = driving_loads(body, begin + fraction * (end - begin));
+        largest       = std::max({largest, line.l2_norm(), within.l2_norm()});
         // A jump at the end of a step does not belong to the step.
         line.sadd(1. - fraction,
                   fraction,
-                  loads_at(body, steps.just_before(end)));
+                  driving_loads(body, steps.just_before(end)));
         within -= line;
         missed = std::max(missed, within.l2_norm());
       }
@@ -242,8 +256,8 @@ namespace Crevasse
         const double t      = steps.within_period(end);
         const double before = steps.just_before(end);
         const double least  = within ? negligible_within : negligible_at_border;
-        Vector       change = loads_at(body, t);
-        change -= loads_at(body, before);
+        Vector       change = driving_loads(body, t);
+        change -= driving_loads(body, before);
         if (change.linfty_norm() > least * largest_load ||
             materials_differ(body, t, before, thermal_strain, least))
           jumps.push_back(end);

@@ -115,9 +115,16 @@ namespace Crevasse
 
     // A plane of symmetry suppresses the translation along its normal, and
     // every rotation except that about its normal.
+    const auto is_imposed = [&roles](const unsigned int component) {
+      for (const auto id : roles.displaced)
+        if (roles.free.count({id, component}) == 0)
+          return true;
+      return false;
+    };
     const bool slides_along = roles.symmetry.count(BoundaryIds::left) == 0 &&
-                              roles.symmetry.count(BoundaryIds::right) == 0;
-    const bool slides_across = dim == 3 &&
+                              roles.symmetry.count(BoundaryIds::right) == 0 &&
+                              !is_imposed(0);
+    const bool slides_across = dim == 3 && !is_imposed(2) &&
                                roles.symmetry.count(BoundaryIds::front) == 0 &&
                                roles.symmetry.count(BoundaryIds::back) == 0;
     if (!slides_along && !slides_across)

@@ -159,6 +159,13 @@ namespace Crevasse
     for (const auto &force : scene.loads.forces())
       if (force.in_volume)
         volume_forces.push_back(volume_force(force));
+    const bool is_displaced = !roles.displaced.empty();
+    imposed_displacement    = {"imposed displacement",
+                               is_displaced,
+                            is_displaced
+                                 ? "[Loads] Displacement = " +
+                                  scene.loads.displacement.text()
+                                 : "no boundary has the role Displaced"};
     singular_functions = {"singular functions", n_singular > 0, why_singular};
     stress_intensity   = stress_intensity_effect(scene, roles);
     field_output       = {"field output",
@@ -224,7 +231,10 @@ namespace Crevasse
     add(free_strains);
     add({varying_stiffness, varying_viscosity});
     add(volume_forces);
-    add({singular_functions, stress_intensity, field_output});
+    add({imposed_displacement,
+         singular_functions,
+         stress_intensity,
+         field_output});
     return all;
   }
 
@@ -315,6 +325,8 @@ namespace Crevasse
            formulas);
     for (const auto &force : scene.loads.forces())
       append(force.formulas(), formulas);
+    for (const PlacedFormulas &placed : *scene.loads.displacement)
+      append(placed.components, formulas);
     append(free_strain_formulas(material), formulas);
     if (temperature)
       formulas.push_back(*temperature);

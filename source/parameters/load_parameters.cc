@@ -6,6 +6,8 @@
 #include <crevasse/parameters/checker.h>
 #include <crevasse/parameters/load_parameters.h>
 
+#include <functional>
+
 namespace Crevasse
 {
   namespace
@@ -45,6 +47,27 @@ namespace Crevasse
       placed.components = parse(is_named ? text.substr(colon + 1) : text);
       return placed;
     }
+
+
+
+    /** @param add Adds what else @p parse found in the text before. */
+    std::vector<PlacedFormulas>
+    parse_by_boundary(
+      const std::string                           &text,
+      const Formulas::Parser                      &parse,
+      const std::function<void(PlacedFormulas &)> &add = [](auto &) {})
+    {
+      std::vector<PlacedFormulas> all;
+      if (Text::squeeze(text).empty())
+        return all;
+      const std::vector<std::string> parts = split_at_bars(text);
+      for (const std::string &part : parts)
+        {
+          all.push_back(parse_placed(part, parse, parts.size() > 1));
+          add(all.back());
+        }
+      return all;
+    }
   } // namespace
 
 
@@ -53,13 +76,35 @@ namespace Crevasse
   on_boundaries(const Formulas::Parser &parse)
   {
     return [parse](const std::string &text) {
-      std::vector<PlacedFormulas> all;
-      if (Text::squeeze(text).empty())
-        return all;
-      const std::vector<std::string> parts = split_at_bars(text);
-      for (const std::string &part : parts)
-        all.push_back(parse_placed(part, parse, parts.size() > 1));
-      return all;
+      return parse_by_boundary(text, parse);
+    };
+  }
+
+
+
+  LoadFormulas::Parser
+  displacements(const std::string &name,
+                const std::string &variables,
+                const Tables      &tables)
+  {
+    return [name = "[Loads] " + name, variables, tables](
+             const std::string &text) -> std::vector<PlacedFormulas> {
+      std::set<unsigned int> free;
+      const auto             parse = [&](const std::string &components) {
+        std::vector<std::string> values = Text::split(components, ';');
+        free.clear();
+        for (unsigned int d = 0; d < values.size(); ++d)
+          if (values[d] == "free")
+            {
+              free.insert(d);
+              values[d] = "0";
+            }
+        return Expression::parse_list(
+          Text::join(values, ";"), ';', variables, name, tables);
+      };
+      return parse_by_boundary(text, parse, [&](PlacedFormulas &placed) {
+        placed.free = free;
+      });
     };
   }
 
@@ -72,7 +117,7 @@ namespace Crevasse
       if (Text::squeeze(text).empty())
         return std::vector<PlacedFormulas>();
       return std::vector<PlacedFormulas>{
-        {parse_boundary_list("automatic"), parse(text)}};
+        {parse_boundary_list("automatic"), parse(text), {}}};
     };
   }
 
@@ -123,6 +168,20 @@ namespace Crevasse
                              "Force per volume, in units of stress / length" +
                                allowed,
                              prm);
+    displacement.add_parameter(
+      "Displacement",
+      "Displacement of boundaries with the role Displaced, in units of length; "
+      "a component that is \"free\" is not imposed, and has no traction" +
+        allowed + by_boundary + "free; 0.01*sin(t) | 2: 0; 0",
+      prm);
+    displacement_rate.add_parameter(
+      "Displacement rate",
+      "Steady part of the velocity of boundaries with the role Displaced, in "
+      "units of length / time, which enters the secular problem: the "
+      "displacement grows by it from period to period; empty: none. Allowed: "
+      "one formula of x, y, z for each dimension, separated by semicolons" +
+        by_boundary + "0; 1e-5",
+      prm);
   }
 
 
@@ -154,18 +213,22 @@ namespace Crevasse
   LoadParameters::check_dimension(const unsigned int dimension,
                                   Problems          &problems) const
   {
-    for (const Force &force : forces())
-      if (force.values.is_valid())
-        for (const PlacedFormulas &placed : *force.values)
+    const auto check = [&](const char         *parameter,
+                           const LoadFormulas &values,
+                           const bool          has_one) {
+      if (values.is_valid())
+        for (const PlacedFormulas &placed : *values)
           Checker(section, problems)
-            .demand(placed.components.size() ==
-                      (force.along_normal ? 1 : dimension),
-                    force.parameter,
-                    force.along_normal
-                      ? "must be one formula, or empty"
-                      : "must be " + std::to_string(dimension) +
-                          " formulas, one for each dimension, separated by "
-                          "semicolons, or empty");
+            .demand(placed.components.size() == (has_one ? 1 : dimension),
+                    parameter,
+                    has_one ? "must be one formula, or empty"
+                            : "must be " + std::to_string(dimension) +
+                                " formulas, one for each dimension, separated "
+                                "by semicolons, or empty");
+    };
+    for (const LoadOnBoundaries &load : loads_on_boundaries)
+      check(load.parameter, this->*load.values, load.has_one_component);
+    check("Body force", body_force, false);
   }
 
 
@@ -175,15 +238,15 @@ namespace Crevasse
                                    Problems            &problems) const
   {
     const Checker checker(section, problems);
-    for (const Force &force : forces())
+    for (const LoadOnBoundaries &load : loads_on_boundaries)
       {
         std::set<dealii::types::boundary_id> seen;
-        for (const PlacedFormulas &placed : force.values.is_valid()
-                                              ? *force.values
-                                              : std::vector<PlacedFormulas>())
+        if (!(this->*load.values).is_valid())
+          continue;
+        for (const PlacedFormulas &placed : *(this->*load.values))
           {
             checker.demand(placed.boundaries.names.empty(),
-                           force.parameter,
+                           load.parameter,
                            "names of boundaries need a mesh file with named "
                            "groups; otherwise these must be boundary ids, as "
                            "in 3: 0; 10 | 4: 0; -10");
@@ -191,16 +254,60 @@ namespace Crevasse
               {
                 const std::string name =
                   "the boundary id " + std::to_string(id);
-                checker.demand(roles.loaded.count(id) > 0,
-                               force.parameter,
-                               name +
-                                 " must have the role Loaded ([Boundary] "
-                                 "Loaded)");
+                checker.demand((roles.*load.ids).count(id) > 0,
+                               load.parameter,
+                               name + " must have the role " + load.role +
+                                 " ([Boundary] " + load.role + ")");
                 checker.demand(seen.insert(id).second,
-                               force.parameter,
+                               load.parameter,
                                name + " must have one value only");
               }
           }
       }
+    if (displacement.is_valid() && displacement_rate.is_valid())
+      check_displaced(roles, problems);
+  }
+
+
+
+  void
+  LoadParameters::check_displaced(const BoundaryRoles &roles,
+                                  Problems            &problems) const
+  {
+    const Checker checker(section, problems);
+    checker.demand((displacement->empty() && displacement_rate->empty()) ||
+                     !roles.displaced.empty(),
+                   displacement->empty() ? "Displacement rate" : "Displacement",
+                   "no boundary has the role Displaced; set [Boundary] "
+                   "Displaced");
+    for (const auto id : roles.displaced)
+      {
+        const std::string name = "the boundary id " + std::to_string(id);
+        const PlacedFormulas *const value = placed_on(id, displacement);
+        const PlacedFormulas *const rate  = placed_on(id, displacement_rate);
+        checker.demand(value != nullptr,
+                       "Displacement",
+                       "must have a value for " + name +
+                         ", whose role is Displaced");
+        if (value == nullptr || rate == nullptr)
+          continue;
+        for (const unsigned int d : value->free)
+          checker.demand(d >= rate->components.size() ||
+                           rate->components[d].is_zero(),
+                         "Displacement rate",
+                         "must be free for component " + std::to_string(d + 1) +
+                           " of " + name + ", as Displacement is");
+      }
+  }
+
+
+
+  const PlacedFormulas *
+  placed_on(const dealii::types::boundary_id id, const LoadFormulas &values)
+  {
+    for (const PlacedFormulas &placed : *values)
+      if (placed.act_on(id))
+        return &placed;
+    return nullptr;
   }
 } // namespace Crevasse

@@ -104,6 +104,12 @@ namespace Crevasse
       "z = 0; 6 z = Thickness. \"automatic\" is none" +
         allowed,
       prm);
+    displaced.add_parameter(
+      "Displaced",
+      "Boundary ids where [Loads] Displacement is imposed. \"automatic\" is "
+      "none" +
+        allowed,
+      prm);
     symmetry.add_parameter("Symmetry",
                            "Boundary ids of symmetry planes: the normal "
                            "displacement and the tangential traction are zero. "

@@ -225,6 +225,8 @@ namespace Crevasse
     const Checker checker(section, problems);
     for (const Force &force : forces())
       checker.demand_valid(force.parameter, force.values);
+    checker.demand_valid("Displacement", displacement);
+    checker.demand_valid("Displacement rate", displacement_rate);
     checker.demand_valid("Temperature", temperature);
     checker.demand_valid("Reference temperature", reference);
     checker.demand(reference.text().empty() || temperature.text() != "0",

@@ -142,10 +142,10 @@ namespace Crevasse
       if (Parsed<BoundaryList> &list = scene.boundary.*role.list;
           list.is_valid())
         with_ids(BoundaryParameters::section, role.name, list.edit());
-    for (const auto &[parameter, values] : scene.loads.by_boundary())
-      if (values->is_valid())
-        for (PlacedFormulas &placed : values->edit())
-          with_ids(LoadParameters::section, parameter, placed.boundaries);
+    for (const LoadOnBoundaries &load : loads_on_boundaries)
+      if (LoadFormulas &values = scene.loads.*load.values; values.is_valid())
+        for (PlacedFormulas &placed : values.edit())
+          with_ids(LoadParameters::section, load.parameter, placed.boundaries);
   }
 
 

@@ -3,7 +3,6 @@
 
 #include <crevasse/base/text.h>
 #include <crevasse/parameters/automatic.h>
-#include <crevasse/parameters/built_in_boundary.h>
 #include <crevasse/parameters/checker.h>
 #include <crevasse/parameters/effects.h>
 #include <crevasse/parameters/scene.h>
@@ -128,30 +127,6 @@ namespace Crevasse
                        "ratio: leave Stiffness matrix and Viscosity matrix "
                        "out, and set Viscous Poisson ratio to Poisson ratio, "
                        "or Viscosity = relaxation time or chain");
-    }
-
-
-
-    /** Checks what depends on the roles of boundaries. */
-    void
-    check_roles(const Scene &scene, Problems &problems)
-    {
-      for (const BoundaryRole &role : boundary_role_table)
-        if (!(scene.boundary.*role.list).is_valid())
-          return;
-      const BoundaryRoles roles =
-        resolve_roles(scene.boundary, built_in_roles(scene.geometry));
-      scene.loads.check_boundaries(roles, problems);
-      const bool    loads_lips = roles.has_loaded_lip();
-      const Checker crack_tip(CrackTipParameters::section, problems);
-      crack_tip.demand(!loads_lips || scene.crack_tip.method !=
-                                        StressIntensityMethod::williams_fit,
-                       "Method",
-                       "williams fit is for lips without load; use automatic");
-      crack_tip.demand(!loads_lips || !scene.crack_tip.creep_integral,
-                       "Creep integral",
-                       "must be false: [Boundary] Loaded names a lip, and the "
-                       "integral does not include loads there");
     }
 
 

@@ -174,14 +174,18 @@ namespace Crevasse
     const double factor = body.law.viscosity_factor(0.);
     Vector       stress;
     body.points.initialize(stress);
-    body.strain_operator.for_each_strain(
-      flow->velocity,
-      [&](const std::size_t offset, const VoigtVector<2> &strain_rate) {
-        const std::size_t point = offset / QuadratureField<2>::n_components;
-        QuadratureField<2>::set(stress,
-                                offset,
-                                factor * (viscosity->sum[point] * strain_rate));
-      });
+    for (std::size_t p = 0; p < body.points.n_local_points; ++p)
+      {
+        const std::size_t offset = p * QuadratureField<2>::n_components;
+        // The rates of all branches are those of the body in the plane.
+        QuadratureField<2>::set(
+          stress,
+          offset,
+          factor *
+            (viscosity->sum[p] *
+             QuadratureField<2>::get(flow->strain_rate,
+                                     offset * body.law.branches.size())));
+      }
     const PlaneElasticity viscous(viscous_region->matrix);
     const double size = intensity.region.aligned_radius(viscous_region->radius);
     double       c_star = 0.;

@@ -194,7 +194,10 @@ namespace Crevasse
   {
     const Space<dim>       &space = body.space;
     std::vector<PointArray> arrays;
-    const Vector displacement = space.nodal_values(snapshot.state.displacement);
+    const Vector            displacement =
+      body.nodal_displacement(snapshot.state.displacement,
+                              snapshot.state.instant,
+                              snapshot.time);
     arrays.push_back(
       grid.nodal("displacement", 3, space.dof_handler, displacement));
     const auto stress = grid.recovered(snapshot.state.stress);

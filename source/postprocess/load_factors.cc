@@ -34,10 +34,10 @@ namespace Crevasse
              "the closed forms hold for a lip without initial opening; here "
              "[Boundary] Gap is not 0.");
       demand(!body.material.stiffness_varies &&
-               !body.material.has_thermal_strain,
+               !body.material.has_free_strain(),
              comparison,
-             "the closed forms hold for a constant stiffness and without "
-             "thermal strain.");
+             "the closed forms hold for a constant stiffness, without thermal "
+             "strain and imposed displacement.");
       demand(!body.effects.viscosity.on || body.law.uniform_relaxation_time,
              comparison,
              "the closed forms hold for a viscosity in proportion to the "

@@ -88,15 +88,17 @@ namespace Crevasse
 
 
   template <int dim>
-  ProbeEvaluator<dim>::ProbeEvaluator(const NamedPoint           &probe,
-                                      const Space<dim>           &space,
-                                      const StressRecovery<dim>  &recovery,
-                                      const ContactBoundary<dim> &lip)
+  ProbeEvaluator<dim>::ProbeEvaluator(const NamedPoint               &probe,
+                                      const Space<dim>               &space,
+                                      const StressRecovery<dim>      &recovery,
+                                      const ContactBoundary<dim>     &lip,
+                                      const ImposedDisplacement<dim> *imposed)
     : name(probe.name)
     , point(to_point<dim>(probe.coordinates))
     , communicator(space.communicator())
     , recovery(recovery)
     , lip(lip)
+    , imposed(imposed != nullptr && imposed->is_on ? imposed : nullptr)
   {
     const Place place    = find_place(space, false);
     displacement_weights = displacement_at(place, space);
@@ -215,10 +217,18 @@ namespace Crevasse
           {
             const auto values = shape_values<dim>(place.cell, place.unit_point);
             for (unsigned int i = 0; i < values.size(); ++i)
-              if (fe.system_to_component_index(i).first == d)
-                space.constraints.distribute_local_to_global(values[i].first,
-                                                             values[i].second,
-                                                             weights);
+              if (const auto [dof, value] = values[i];
+                  fe.system_to_component_index(i).first == d)
+                {
+                  space.constraints.distribute_local_to_global(dof,
+                                                               value,
+                                                               weights);
+                  if (imposed != nullptr)
+                    for (const auto &[node, part] :
+                         imposed->functions->parts_of(dof))
+                      of_components[d].of_imposed.emplace_back(node,
+                                                               part * value);
+                }
           }
         if constexpr (dim == 2)
           if (const SingularShapes *shapes = space.singular_shapes();
@@ -237,7 +247,8 @@ namespace Crevasse
         weights.compress(VectorOperation::add);
         for (unsigned int i = 0; i < weights.locally_owned_size(); ++i)
           if (weights.local_element(i) != 0.)
-            of_components[d].emplace_back(i, weights.local_element(i));
+            of_components[d].of_unknowns.emplace_back(i,
+                                                      weights.local_element(i));
       }
     return of_components;
   }
@@ -293,8 +304,22 @@ namespace Crevasse
   {
     Tensor<1, dim> value;
     for (unsigned int d = 0; d < dim; ++d)
-      for (const auto &[i, weight] : weights[d])
+      for (const auto &[i, weight] : weights[d].of_unknowns)
         value[d] += weight * displacement.local_element(i);
+    return value;
+  }
+
+
+
+  template <int dim>
+  Tensor<1, dim>
+  ProbeEvaluator<dim>::imposed_at(const DisplacementWeights &weights,
+                                  const double               t,
+                                  const double               time) const
+  {
+    Tensor<1, dim> value;
+    for (unsigned int d = 0; imposed != nullptr && d < dim; ++d)
+      value[d] = imposed->value(weights[d].of_imposed, t, time);
     return value;
   }
 
@@ -320,7 +345,7 @@ namespace Crevasse
       Tensor<1, dim> u = apply(weights, sample.state.displacement);
       if (sample.secular_flow != nullptr)
         u += sample.time * apply(weights, sample.secular_flow->velocity);
-      return u;
+      return u + imposed_at(weights, sample.state.instant, sample.time);
     };
     const Tensor<1, dim>   u = at(displacement_weights);
     const VoigtVector<dim> stress =

@@ -157,8 +157,13 @@ namespace Crevasse
       split.strain_returns =
         has_weights && !scene.time_integration.locate_contact_events &&
         (split.is_split || missed_load <= 10. * rounding_of_means * largest);
-      const std::string warning = warning_of_steps(
-        split.mean_load, seen, missed_load, largest, split.effect.on);
+      const std::string warning =
+        warning_of_steps(split.mean_load,
+                         seen,
+                         missed_load,
+                         largest,
+                         split.mean_load.linfty_norm() >
+                           rounding_of_means * largest);
       if (!warning.empty() && split.is_split)
         throw SceneError(setting_of(scene.periodic_state.secular_split) + ": " +
                          warning);
@@ -236,6 +241,15 @@ namespace Crevasse
     Effects::Effect       &effect  = split.effect;
     const SecularSplitType wish    = scene.periodic_state.secular_split;
     const std::string      setting = setting_of(wish);
+    if (body.imposed.flows)
+      {
+        const std::string obstacle =
+          wish == SecularSplitType::off ? setting : secular_obstacle(body);
+        if (!obstacle.empty())
+          throw SceneError(
+            "[Loads] Displacement rate: there is no secular flow to take it (" +
+            obstacle + "). Leave it empty.");
+      }
     if (wish == SecularSplitType::off)
       {
         effect.why = setting + ": the displacement contains the flow";
@@ -256,11 +270,16 @@ namespace Crevasse
                     scene.loads.period,
                     split.mean_load);
     const double largest = largest_weighted_load(body, scene.loads.period);
-    effect.on = split.mean_load.linfty_norm() > rounding_of_means * largest;
+    const bool   has_mean =
+      split.mean_load.linfty_norm() > rounding_of_means * largest;
+    const bool is_imposed = body.imposed.flows;
+    effect.on             = has_mean || is_imposed;
     split.is_split =
-      effect.on && (wish == SecularSplitType::on || needs_periodic_strain);
+      is_imposed ||
+      (effect.on && (wish == SecularSplitType::on || needs_periodic_strain));
     effect.why =
-      !effect.on ? "the mean load vanishes"
+      is_imposed   ? "[Loads] Displacement rate is not 0: its flow is split off"
+      : !effect.on ? "the mean load vanishes"
       : split.is_split
         ? "the mean load does not vanish: its flow is split off"
         : "the mean load does not vanish: beta is computed, not split off";
@@ -297,7 +316,18 @@ namespace Crevasse
     // The matrix of the solver is ∫ Dᵀ η D / time.
     UnilateralBounds bounds =
       unilateral_bounds(body.lip, body.space, body.held_by_contact);
-    Vector                              load = mean_load;
+    Vector load = mean_load;
+    if (body.imposed.flows)
+      {
+        Vector imposed(mean_load);
+        imposed = 0.;
+        body.strain_operator.add_transpose(
+          imposed, [&](const std::size_t offset) {
+            const std::size_t point = offset / n_stress_components<dim>;
+            return viscosity.sum[point] * viscosity.imposed_rate[point];
+          });
+        load -= imposed;
+      }
     double                              time = 1., factor = 1.;
     ContactSolver                      *contact_solver;
     SolverSettings                      settings = systems.settings;
@@ -307,15 +337,16 @@ namespace Crevasse
       {
         // The mean contains the viscosity and may have any size: scale it to
         // the loads, by which that solver measures errors.
-        time   = *tau;
-        factor = settings.largest_load / mean_load.linfty_norm();
+        time = *tau;
+        if (load.linfty_norm() > 0.)
+          factor = settings.largest_load / load.linfty_norm();
         load *= factor;
         contact_solver = &systems.at(0.).contact_solver;
       }
     else
       {
         settings.relaxation_factor = [&](const SparseMatrix &matrix) {
-          return systems.relaxation_factor(matrix, mean_load);
+          return systems.relaxation_factor(matrix, load);
         };
         std::fill(bounds.gap.begin(), bounds.gap.end(), 0.);
         own            = std::make_unique<ContactSystem<dim>>(settings,
@@ -325,16 +356,14 @@ namespace Crevasse
                                                    bounds,
                                                    &systems.system_at(0.));
         contact_solver = &own->contact_solver();
-        contact_solver->set_force_scale(mean_load.linfty_norm());
+        contact_solver->set_force_scale(load.linfty_norm());
       }
 
     SecularFlow flow;
     body.strain_operator.initialize(flow.velocity);
     contact_solver->solve(load, flow.velocity, flow.contact_forces.normal);
-    flow.velocity /= time;
+    flow.velocity /= time * factor;
     viscosity.set_strain_rates(body, material, flow);
-    flow.velocity /= factor;
-    flow.strain_rate /= factor;
     for (double &force : flow.contact_forces.normal)
       force *= material.viscosity_factor / factor;
     if (own != nullptr)

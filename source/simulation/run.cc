@@ -59,8 +59,11 @@ namespace Crevasse
     , recovery(body.space,
                body.points,
                body.material.materials_of_cells(body.space, body.points))
-    , probes(
-        make_probes(Crevasse::probes(scene), body.space, recovery, body.lip))
+    , probes(make_probes(Crevasse::probes(scene),
+                         body.space,
+                         recovery,
+                         body.lip,
+                         &body.imposed))
     , steps(scene)
     , integrator(
         body.effects.viscosity.on
@@ -213,7 +216,7 @@ namespace Crevasse
           error.what();
         if (scene.periodic_state.secular_split == SecularSplitType::on)
           throw NumericalError("[Periodic state] Secular split = on: " + what);
-        if (split.is_split && !choice.may_fall_back)
+        if (split.is_split && (!choice.may_fall_back || body.imposed.flows))
           throw NumericalError(
             what +
             " Use [Periodic state] Method = march, which does not need it.");

@@ -8,6 +8,7 @@
 #include <crevasse/postprocess/mission_table.h>
 #include <crevasse/postprocess/period_table.h>
 #include <crevasse/postprocess/probe_tables.h>
+#include <crevasse/postprocess/reactions.h>
 #include <crevasse/postprocess/slip_while_closed.h>
 #include <crevasse/postprocess/stress_writer.h>
 #include <crevasse/postprocess/tip_table.h>
@@ -255,6 +256,23 @@ namespace Crevasse
       }
 
       void
+      add_reactions()
+      {
+        const auto reactions =
+          std::make_shared<const Reactions<dim>>(body, run.scene.loads);
+        std::vector<std::string> columns = {"t"};
+        for (const std::string &name : reactions->columns())
+          columns.push_back(name);
+        add(std::make_unique<SampleTable>(
+          table("reactions.csv", columns), [reactions](const Sample &sample) {
+            auto row =
+              reactions->forces(sample.state.stress, sample.state.instant);
+            row.insert(row.begin(), sample.time);
+            return row;
+          }));
+      }
+
+      void
       add_periods(const LipTotals &lip)
       {
         add(std::make_unique<PeriodTable>(table("periods.csv",
@@ -326,6 +344,8 @@ namespace Crevasse
       outputs.add_front();
     if (body.effects.field_output.on)
       outputs.add_fields();
+    if (body.imposed.is_on)
+      outputs.add_reactions();
     if (scene.output.load_work)
       outputs.add_load_work();
     if (scene.output.stress_record)

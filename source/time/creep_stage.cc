@@ -237,6 +237,7 @@ namespace Crevasse
 
     loads.evaluate(t, forces);
     predict(t, state.displacement);
+    state.instant = t;
     State  solved = state;
     double from = 0., to = c; // c of the last solution, and of the next one
     bool   has_failed = false;

@@ -31,9 +31,9 @@ namespace Crevasse
   void
   Evolution<dim>::solve(const double t, ContactSolver &solver, const double k)
   {
-    ContactForces &forces = last.contact_forces;
-    solver.solve(loading, last.displacement, forces.normal, k);
+    solver.solve(loading, last.displacement, last.contact_forces.normal, k);
     last.stiffness_factor = k;
+    last.instant          = t;
     last_solver           = &solver;
     if (lip_history != nullptr)
       lip_history->record(t, last);
@@ -60,7 +60,7 @@ namespace Crevasse
         [&r, kK = k * K[0]](const std::size_t offset) {
           return kK * Field::get(r, offset);
         });
-    else if (r.size() > 0 || material.thermal_strain != nullptr)
+    else if (r.size() > 0 || material.free_strain != nullptr)
       strain_operator.add_transpose(loading, [&](const std::size_t offset) {
         return k * (K[offset / Field::n_components] * inelastic(offset));
       });

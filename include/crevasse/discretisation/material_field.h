@@ -4,6 +4,7 @@
 #ifndef crevasse_discretisation_material_field_h
 #define crevasse_discretisation_material_field_h
 
+#include <crevasse/discretisation/imposed_displacement.h>
 #include <crevasse/discretisation/point_values.h>
 #include <crevasse/discretisation/quadrature_field.h>
 #include <crevasse/material/creep_point.h>
@@ -30,6 +31,8 @@ namespace Crevasse
          creep;           ///< null: linear creep
     bool hardens = false; ///< whether r is a state of CreepPoint
     std::shared_ptr<const Vectors> thermal_strain; ///< f, such as χθ, or null
+    /** Thermal strain minus that of the ImposedDisplacement, or null. */
+    std::shared_ptr<const Vectors> free_strain;
 
     /** Whether stiffness and viscosity have no row 33. */
     bool plane_stress = false;
@@ -51,7 +54,7 @@ namespace Crevasse
     {
       return stiffness->is_uniform() && fractions.size() == 1 &&
              fractions[0] == 1. && fluidity[0]->is_uniform() &&
-             creep == nullptr && thermal_strain == nullptr;
+             creep == nullptr && free_strain == nullptr;
     }
   };
 
@@ -82,11 +85,13 @@ namespace Crevasse
   class MaterialField
   {
   public:
-    /** Evaluates constant parts. Collective. All arguments must outlive it. */
-    MaterialField(const Space<dim>           &space,
-                  const QuadratureField<dim> &points,
-                  const MaxwellLaw<dim>      &law,
-                  const Temperature<dim>     &temperature);
+    /** Evaluates constant parts. Collective. All arguments must outlive it.
+     * @param imposed Imposed displacement; null: there is none. */
+    MaterialField(const Space<dim>               &space,
+                  const QuadratureField<dim>     &points,
+                  const MaxwellLaw<dim>          &law,
+                  const Temperature<dim>         &temperature,
+                  const ImposedDisplacement<dim> *imposed = nullptr);
 
     /** State of the material at an instant of the period. Collective if it
      * depends on time. @throw SceneError with the point and the instant if a
@@ -117,6 +122,18 @@ namespace Crevasse
     bool thermal_strain_varies = false;
 
     bool has_thermal_strain;
+
+    /** Whether the state has a free strain, and whether it depends on time. */
+    bool
+    has_free_strain() const
+    {
+      return has_thermal_strain || imposed != nullptr;
+    }
+    bool
+    free_strain_varies() const
+    {
+      return thermal_strain_varies || (imposed != nullptr && imposed->varies);
+    }
 
     /** Material number of each cell of this rank, from 0 on, by the mesh file
      * and, where formulas are constant in most cells, by the moduli at t = 0.
@@ -216,6 +233,10 @@ namespace Crevasse
     std::shared_ptr<const Vectors>
     evaluate_thermal_strain(const double t) const;
 
+    std::shared_ptr<const Vectors>
+    evaluate_free_strain(const std::shared_ptr<const Vectors> &thermal,
+                         const double                          t) const;
+
     /** Creep law at the points, with the modes of a stiffness. */
     std::shared_ptr<const PointValues<CreepPoint<dim>>>
     evaluate_creep(const Matrices &stiffness, const double t) const;
@@ -226,6 +247,7 @@ namespace Crevasse
     const MPI_Comm                        communicator;
     const MaxwellLaw<dim>                &law;
     const Temperature<dim>               &temperature;
+    const ImposedDisplacement<dim> *const imposed;      ///< null: none
     const std::vector<const FreeStrain *> free_strains; ///< non-zero ones
 
     // Flags of properties that depend on time.

@@ -208,6 +208,9 @@ namespace Crevasse
     make_supports();
     void
     hold_axis();
+    /** Holds clamped and displaced boundaries. */
+    void
+    hold_boundaries();
     void
     make_constraints(const bool lips_closed);
     /** Whether a support or hanging node makes a dof depend on others. */

@@ -126,7 +126,7 @@ namespace Crevasse
     /** Residual at a boundary face: h ∫ ‖…‖² of the unbalanced traction: on
      * loaded faces s n minus the load, on planes of symmetry and lips its
      * tangential part, on lips also the normal traction plus the contact
-     * pressure, and nothing where the body is clamped.
+     * pressure, and nothing where the body is held.
      *
      * @param added Stress at a point in addition to the polynomials. */
     template <typename Function>
@@ -169,6 +169,9 @@ namespace Crevasse
             // Only one component of the pressure is not zero.
             for (unsigned int d = 0; d < dim; ++d)
               residual += pressures[q][d] * normal;
+          for (unsigned int d = 0; d < dim; ++d)
+            if (roles.displaced.count(id) > 0 && roles.free.count({id, d}) == 0)
+              residual[d] = 0.;
           integral += residual.norm_square() * values.JxW(q);
         }
       return size_of(values) * integral;

@@ -7,6 +7,7 @@
 #include <crevasse/base/log.h>
 #include <crevasse/contact/signorini_problem.h>
 #include <crevasse/discretisation/external_loads.h>
+#include <crevasse/discretisation/imposed_displacement.h>
 #include <crevasse/discretisation/material_field.h>
 #include <crevasse/discretisation/rigid_motions.h>
 #include <crevasse/discretisation/strain_operator.h>
@@ -43,6 +44,15 @@ namespace Crevasse
      * unconstrained. */
     Body(const Scene &scene, std::shared_ptr<const Mesh<dim>> mesh);
 
+    /** Displacement at all nodes, also where it is imposed. Collective.
+     * @param displacement with the flow that is split off, if any.
+     * @param t State::instant
+     * @param time since the start of the run. */
+    Vector
+    nodal_displacement(const Vector &displacement,
+                       const double  t,
+                       const double  time) const;
+
     const Temperature<dim> temperature;
     const Effects          effects;
     const MaxwellLaw<dim>  law;
@@ -50,6 +60,7 @@ namespace Crevasse
     /** Rigid-body motions that only contact stops. */
     const std::vector<RigidMotion> held_by_contact;
     const QuadratureField<dim>     points;
+    const ImposedDisplacement<dim> imposed;
     const MaterialField<dim>       material;
     const StrainOperator<dim>      strain_operator;
     ContactBoundary<dim>           lip;

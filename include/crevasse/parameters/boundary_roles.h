@@ -15,18 +15,22 @@
 
 namespace Crevasse
 {
-  /** Boundary ids that are clamped, symmetry planes, loaded, and crack lips.
+  /** Boundary ids that are clamped, displaced, symmetry planes, loaded, and
+   * crack lips.
    * Other boundaries are traction-free. Lips of contact touch rigid planes,
    * lips of a crack touch each other, and lips of an open crack never touch.
    * Lips may be loaded, too. */
   struct BoundaryRoles
   {
     std::set<dealii::types::boundary_id> clamped;
-    std::set<dealii::types::boundary_id> symmetry;
-    std::set<dealii::types::boundary_id> loaded;
-    std::set<dealii::types::boundary_id> contact;
-    std::set<dealii::types::boundary_id> crack;
-    std::set<dealii::types::boundary_id> open;
+    std::set<dealii::types::boundary_id> displaced;
+    /** Components of displaced boundaries that are not imposed. */
+    std::set<std::pair<dealii::types::boundary_id, unsigned int>> free;
+    std::set<dealii::types::boundary_id>                          symmetry;
+    std::set<dealii::types::boundary_id>                          loaded;
+    std::set<dealii::types::boundary_id>                          contact;
+    std::set<dealii::types::boundary_id>                          crack;
+    std::set<dealii::types::boundary_id>                          open;
     /** Whether x₁ = 0 is the axis of a body of revolution, where the radial
      * displacement vanishes. */
     bool has_axis = false;

@@ -31,6 +31,7 @@ namespace Crevasse
     /** Whether each of LoadParameters::forces() that acts in the volume is
      * on. */
     std::vector<Effect> volume_forces;
+    Effect              imposed_displacement;
     Effect              singular_functions;
     Effect              stress_intensity;
     Effect              field_output;

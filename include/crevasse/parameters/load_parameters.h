@@ -15,6 +15,8 @@ namespace Crevasse
     /** Boundaries; automatic: all that have the load's role. */
     BoundaryList            boundaries;
     std::vector<Expression> components;
+    /** Numbers from 0 of the components that are "free"; their formula is 0. */
+    std::set<unsigned int> free;
 
     bool
     act_on(const dealii::types::boundary_id id) const
@@ -25,10 +27,20 @@ namespace Crevasse
 
   using LoadFormulas = Parsed<std::vector<PlacedFormulas>>;
 
+  /** Formulas that act on a boundary, or null. */
+  const PlacedFormulas *
+  placed_on(const dealii::types::boundary_id id, const LoadFormulas &values);
+
   /** Parses formulas for all boundaries of a role, "f; g", or by boundary:
    * "top: f; g | 2, left: f; g". @param parse of one boundary. */
   LoadFormulas::Parser
   on_boundaries(const Formulas::Parser &parse);
+
+  /** Parses displacements by boundary, "f; free", or their rates. */
+  LoadFormulas::Parser
+  displacements(const std::string &name,
+                const std::string &variables,
+                const Tables      &tables);
 
   /** Parses formulas of a load in the volume, "f; g". */
   LoadFormulas::Parser
@@ -44,6 +56,15 @@ namespace Crevasse
     LoadFormulas traction{"", on_boundaries(load_components("Traction"))};
     LoadFormulas pressure{"", on_boundaries(load_components("Pressure"))};
     LoadFormulas body_force{"", in_volume(load_components("Body force"))};
+    LoadFormulas displacement{
+      "",
+      displacements("Displacement",
+                    Expression::Variables::space_and_time,
+                    tables)};
+    LoadFormulas displacement_rate{"",
+                                   displacements("Displacement rate",
+                                                 Expression::Variables::space,
+                                                 tables)};
     /** Temperature: a formula of x, y, z, t; no value: the name of a file. */
     Parsed<std::optional<Expression>> temperature{"0", temperature_formula()};
     /** Absolute temperature without strain; no value: theta is a change. */
@@ -67,13 +88,6 @@ namespace Crevasse
     std::vector<Force>
     forces() const;
 
-    /** Names of the parameters that may have values by boundary, and these. */
-    std::vector<std::pair<const char *, LoadFormulas *>>
-    by_boundary()
-    {
-      return {{"Traction", &traction}, {"Pressure", &pressure}};
-    }
-
     void
     add_parameters(dealii::ParameterHandler &prm);
     void
@@ -84,7 +98,43 @@ namespace Crevasse
     /** Checks the boundaries that have values of their own. */
     void
     check_boundaries(const BoundaryRoles &roles, Problems &problems) const;
+
+  private:
+    void
+    check_displaced(const BoundaryRoles &roles, Problems &problems) const;
   };
+
+  /** A parameter that may have values by boundary, and the role of these. */
+  struct LoadOnBoundaries
+  {
+    const char  *parameter;
+    LoadFormulas LoadParameters::       *values;
+    const char                          *role;
+    std::set<dealii::types::boundary_id> BoundaryRoles::*ids;
+    bool                                                 has_one_component;
+  };
+
+  constexpr LoadOnBoundaries loads_on_boundaries[] = {
+    {"Traction",
+     &LoadParameters::traction,
+     "Loaded",
+     &BoundaryRoles::loaded,
+     false},
+    {"Pressure",
+     &LoadParameters::pressure,
+     "Loaded",
+     &BoundaryRoles::loaded,
+     true},
+    {"Displacement",
+     &LoadParameters::displacement,
+     "Displaced",
+     &BoundaryRoles::displaced,
+     false},
+    {"Displacement rate",
+     &LoadParameters::displacement_rate,
+     "Displaced",
+     &BoundaryRoles::displaced,
+     false}};
 } // namespace Crevasse
 
 #endif

@@ -64,6 +64,7 @@ namespace Crevasse
     static constexpr const char *section = "Boundary";
 
     Parsed<BoundaryList>   clamped{"automatic", parse_boundary_list};
+    Parsed<BoundaryList>   displaced{"none", parse_boundary_list};
     Parsed<BoundaryList>   symmetry{"automatic", parse_boundary_list};
     Parsed<BoundaryList>   loaded{"automatic", parse_boundary_list};
     Parsed<BoundaryList>   contact{"automatic", parse_boundary_list};
@@ -90,6 +91,10 @@ namespace Crevasse
 
   constexpr BoundaryRole boundary_role_table[] = {
     {"Clamped", &BoundaryParameters::clamped, &BoundaryRoles::clamped, false},
+    {"Displaced",
+     &BoundaryParameters::displaced,
+     &BoundaryRoles::displaced,
+     false},
     {"Symmetry",
      &BoundaryParameters::symmetry,
      &BoundaryRoles::symmetry,

@@ -48,6 +48,10 @@ namespace Crevasse
     check(Problems &problems) const;
   };
 
+  /** Checks what depends on the roles of boundaries. */
+  void
+  check_roles(const Scene &scene, Problems &problems);
+
   /** Non-default parameters that have no effect in a scene: a sentence for
    * each, with the reason. The scene must have passed its check. */
   std::vector<std::string>

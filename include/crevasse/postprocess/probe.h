@@ -23,11 +23,14 @@ namespace Crevasse
   class ProbeEvaluator
   {
   public:
-    /** Finds the point. Collective. @throw SceneError if outside the mesh. */
-    ProbeEvaluator(const NamedPoint           &probe,
-                   const Space<dim>           &space,
-                   const StressRecovery<dim>  &recovery,
-                   const ContactBoundary<dim> &lip);
+    /** Finds the point. Collective.
+     * @param imposed Imposed displacement; null: there is none.
+     * @throw SceneError if outside the mesh. */
+    ProbeEvaluator(const NamedPoint               &probe,
+                   const Space<dim>               &space,
+                   const StressRecovery<dim>      &recovery,
+                   const ContactBoundary<dim>     &lip,
+                   const ImposedDisplacement<dim> *imposed = nullptr);
 
     const std::string        name;
     const dealii::Point<dim> point;
@@ -44,12 +47,13 @@ namespace Crevasse
      * in front. */
     std::optional<dealii::Tensor<1, dim>> side_of_crack;
 
-    /** Displacement at the point. Collective. */
+    /** Velocity at the point, also of an imposed flow. Collective.
+     * @param velocity as a flow holds it. */
     dealii::Tensor<1, dim>
-    displacement(const Vector &displacement) const
+    velocity(const Vector &velocity) const
     {
-      return dealii::Utilities::MPI::sum(apply(displacement_weights,
-                                               displacement),
+      return dealii::Utilities::MPI::sum(apply(displacement_weights, velocity) +
+                                           rate_at(displacement_weights),
                                          communicator);
     }
 
@@ -89,12 +93,26 @@ namespace Crevasse
       unsigned int lip_face = dealii::numbers::invalid_unsigned_int;
     };
 
-    /** Weights of this rank's unknowns, by local index, for each component. */
-    using DisplacementWeights =
-      std::array<std::vector<std::pair<unsigned int, double>>, dim>;
+    /** Weights for a component: of this rank's unknowns, by local index, and of
+     * the functions of imposed displacements. */
+    struct ComponentWeights
+    {
+      typename NodalFunctions<dim>::Parts of_unknowns, of_imposed;
+    };
+    using DisplacementWeights = std::array<ComponentWeights, dim>;
 
     static dealii::Tensor<1, dim>
     apply(const DisplacementWeights &weights, const Vector &displacement);
+    /** Imposed displacement, and its rate, of this rank. */
+    dealii::Tensor<1, dim>
+    imposed_at(const DisplacementWeights &weights,
+               const double               t,
+               const double               time) const;
+    dealii::Tensor<1, dim>
+    rate_at(const DisplacementWeights &weights) const
+    {
+      return imposed_at(weights, 0., 1.) - imposed_at(weights, 0., 0.);
+    }
     double
     local_pressure(const ContactForces &contact_forces) const;
 
@@ -115,9 +133,10 @@ namespace Crevasse
     void
     find_lip_weights(const Place &place, const Space<dim> &space);
 
-    const MPI_Comm              communicator;
-    const StressRecovery<dim>  &recovery;
-    const ContactBoundary<dim> &lip;
+    const MPI_Comm                        communicator;
+    const StressRecovery<dim>            &recovery;
+    const ContactBoundary<dim>           &lip;
+    const ImposedDisplacement<dim> *const imposed; ///< null: none
 
     DisplacementWeights displacement_weights, other_lip_weights;
     typename StressRecovery<dim>::PointWeights stress_weights;
@@ -131,14 +150,15 @@ namespace Crevasse
   /** Creates the evaluators of "name: x, y; …". @throw SceneError */
   template <int dim>
   std::vector<ProbeEvaluator<dim>>
-  make_probes(const std::vector<NamedPoint> &probes,
-              const Space<dim>              &space,
-              const StressRecovery<dim>     &recovery,
-              const ContactBoundary<dim>    &lip)
+  make_probes(const std::vector<NamedPoint>  &probes,
+              const Space<dim>               &space,
+              const StressRecovery<dim>      &recovery,
+              const ContactBoundary<dim>     &lip,
+              const ImposedDisplacement<dim> *imposed = nullptr)
   {
     std::vector<ProbeEvaluator<dim>> evaluators;
     for (const NamedPoint &probe : probes)
-      evaluators.emplace_back(probe, space, recovery, lip);
+      evaluators.emplace_back(probe, space, recovery, lip, imposed);
     return evaluators;
   }
 } // namespace Crevasse

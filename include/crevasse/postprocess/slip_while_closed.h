@@ -94,8 +94,9 @@ namespace Crevasse
       if (const SecularFlow *const flow = sample.secular_flow; flow != nullptr)
         u.add(sample.time, flow->velocity);
       const LipBasis<dim> &lip   = body.space.lip;
-      const auto           jumps = lip.jumps(body.space.nodal_values(u));
-      const auto           states =
+      const auto           jumps = lip.jumps(
+        body.nodal_displacement(u, sample.state.instant, sample.time));
+      const auto states =
         body.lip.states(sample.state.displacement, sample.state.contact_forces);
       std::vector<double> all;
       for (unsigned int i = 0; i < jumps.size(); ++i)

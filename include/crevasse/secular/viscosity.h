@@ -23,13 +23,18 @@ namespace Crevasse
     Viscosity(const Body<dim> &body, const MaterialState<dim> &material)
       : branches(inverses(body, material))
       , sum(branches.front())
+      , imposed_rate(body.points.n_local_points)
     {
+      body.imposed.add_strains(body.imposed.rates, 1., imposed_rate);
       for (unsigned int i = 1; i < branches.size(); ++i)
         sum = add(sum, branches[i], body.points.n_local_points);
     }
 
     std::vector<Matrices> branches; ///< ηᵢ = Hᵢ⁻¹; plane stress: in plane
     Matrices              sum;      ///< sum Σ ηᵢ
+
+    /** Imposed strain rates of the flow, by point. */
+    std::vector<VoigtVector<dim>> imposed_rate;
 
     /** Sets the strain rates αᵢ = Hᵢ ηᵢ Dβ of a flow with known β: Dβ and the
      * creep in thickness direction. */
@@ -42,8 +47,9 @@ namespace Crevasse
       body.points.initialize(flow.strain_rate, branches.size());
       body.strain_operator.for_each_strain(
         flow.velocity,
-        [&](const std::size_t offset, const VoigtVector<dim> &strain_rate) {
-          const std::size_t point = offset / Field::n_components;
+        [&](const std::size_t offset, const VoigtVector<dim> &of_vector) {
+          const std::size_t      point       = offset / Field::n_components;
+          const VoigtVector<dim> strain_rate = of_vector + imposed_rate[point];
           for (unsigned int i = 0; i < branches.size(); ++i)
             Field::set(flow.strain_rate,
                        offset * branches.size() + i * Field::n_components,

@@ -68,9 +68,11 @@ namespace Crevasse
           const double per_time = // nan: unknown
             is_noise(largest) ? NAN : 1. / run.steps.period();
           drift["largest_rate"] = largest * per_time;
+          Vector gain_per_time  = gain;
+          gain_per_time *= per_time;
           for (const auto &probe : run.probes)
             drift["per_probe"][probe.name] =
-              components(probe.displacement(gain) * per_time);
+              components(probe.velocity(gain_per_time));
           if (effects.contact.on)
             {
               const double closing = largest_closing();
@@ -141,6 +143,15 @@ namespace Crevasse
                                run.state.largest_displacement;
     }
 
+    /** Largest component of a velocity, also where it is imposed. */
+    double
+    largest_rate(const Vector &velocity) const
+    {
+      Vector nodal = run.body.space.nodal_values(velocity);
+      run.body.imposed.add_values(run.body.imposed.rates, 1., nodal);
+      return nodal.linfty_norm();
+    }
+
     void
     summarise_flow(Summary &secular) const
     {
@@ -151,13 +162,13 @@ namespace Crevasse
       if (run.body.space.largest_component(beta) * run.steps.period() <=
           rounding * run.state.largest_displacement)
         beta = 0.;
-      secular["largest_rate"]  = run.body.space.largest_component(beta);
+      secular["largest_rate"]  = largest_rate(beta);
       secular["contact_force"] = run.body.lip.force(forces);
       for (const auto &probe : run.probes)
         {
           auto        &entry    = secular["per_probe"][probe.name];
           const double pressure = probe.pressure(forces);
-          entry["beta"]         = components(probe.displacement(beta));
+          entry["beta"]         = components(probe.velocity(beta));
           if (probe.on_lip)
             entry["mean_pressure"] = pressure;
         }

@@ -33,7 +33,8 @@ namespace Crevasse
       const State &now = sample.state;
       state.largest_displacement =
         std::max(state.largest_displacement,
-                 body.space.largest_component(now.displacement));
+                 body.nodal_displacement(now.displacement, now.instant, 0.)
+                   .linfty_norm());
       if (sample.viscous_strain.size() > 0)
         viscous_strain =
           std::max(viscous_strain, largest_strain(sample.viscous_strain));

@@ -42,13 +42,14 @@ namespace Crevasse
                              : Field::get(r, place) + Field::get(*base, place);
     }
 
-    /** Thermal strain χθ. */
+    /** Strain without stress besides creep: χθ, or less by what displacements
+     * impose. */
     VoigtVector<dim>
     thermal(const std::size_t offset) const
     {
-      return material.thermal_strain == nullptr
+      return material.free_strain == nullptr
                ? VoigtVector<dim>()
-               : (*material.thermal_strain)[offset / n];
+               : (*material.free_strain)[offset / n];
     }
 
     /** Viscous strain rᵢ of branch @p i. */

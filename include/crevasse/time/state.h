@@ -12,10 +12,13 @@ namespace Crevasse
   /** The body at one instant. */
   struct State
   {
-    Vector        displacement; ///< q; zero in constrained entries
-    Vector        stress;       ///< s at quadrature points
+    /** q; zero in constrained entries, also where displacements are imposed:
+     * see Body::nodal_displacement(). */
+    Vector        displacement;
+    Vector        stress; ///< s at quadrature points
     ContactForces contact_forces;
     double        stiffness_factor = 1.; ///< k(t)
+    double        instant          = 0.; ///< t within the period
 
     void
     serialize(StateArchive &archive)
@@ -24,6 +27,7 @@ namespace Crevasse
       archive.at_points(stress);
       archive.on_bounds(contact_forces.normal);
       archive.common(stiffness_factor);
+      archive.common(instant);
     }
   };
 

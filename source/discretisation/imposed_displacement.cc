@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Crevasse authors
+
+#include <crevasse/base/collectively.h>
+#include <crevasse/base/problems.h>
+#include <crevasse/base/text.h>
+#include <crevasse/discretisation/imposed_displacement.h>
+
+namespace Crevasse
+{
+  using namespace dealii;
+
+  namespace
+  {
+    /** Formula of a component on a boundary; 0 if there is none. */
+    Expression
+    formula_on(const types::boundary_id id,
+               const unsigned int       component,
+               const LoadFormulas      &values)
+    {
+      const PlacedFormulas *const placed = placed_on(id, values);
+      return placed != nullptr ? placed->components[component]
+                               : Expression("0");
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  ImposedDisplacement<dim>::ImposedDisplacement(
+    const Space<dim>           &space,
+    const QuadratureField<dim> &points,
+    const LoadParameters       &loads)
+    : is_on(!space.roles.displaced.empty())
+    , communicator(space.communicator())
+  {
+    if (!is_on)
+      return;
+    typename NodalFunctions<dim>::Numbers numbers;
+    for (const auto id : space.roles.displaced)
+      for (unsigned int d = 0; d < dim; ++d)
+        if (space.roles.free.count({id, d}) == 0)
+          {
+            const Expression value = formula_on(id, d, loads.displacement);
+            const Expression rate  = formula_on(id, d, loads.displacement_rate);
+            varies                 = varies || value.depends_on_time();
+            flows                  = flows || !rate.is_zero();
+            collectively(communicator, [&]() {
+              for (const auto &[dof, point] : nodes_on(space, id, d))
+                if (numbers.emplace(dof, nodes.size()).second)
+                  {
+                    nodes.push_back({point, value});
+                    rates.push_back(rate.value(point));
+                  }
+            });
+          }
+    functions = std::make_unique<const NodalFunctions<dim>>(space, numbers);
+    require_free_normals(space);
+    find_strains(space, points);
+  }
+
+
+
+  template <int dim>
+  void
+  ImposedDisplacement<dim>::require_free_normals(const Space<dim> &space) const
+  {
+    collectively(communicator, [&]() {
+      for (const auto &node : space.lip.nodes)
+        for (const auto first : node.sides)
+          for (unsigned int d = 0; d < dim; ++d)
+            if (node.has_unknown() && first != numbers::invalid_dof_index &&
+                node.normal[d] != 0. && functions->numbers.count(first + d) > 0)
+              throw SceneError(
+                "[Boundary] Displaced: at " + Text::from_point(node.point) +
+                " it meets a lip whose normal is not along an axis, so that "
+                "the displacement would open the lip. End the displaced "
+                "boundary before the lip.");
+    });
+  }
+
+
+
+  template <int dim>
+  void
+  ImposedDisplacement<dim>::find_strains(const Space<dim>           &space,
+                                         const QuadratureField<dim> &points)
+  {
+    CellValues<dim> cell_values(space,
+                                update_values | update_gradients |
+                                  update_quadrature_points | update_JxW_values);
+    functions->for_each_part([&](const unsigned int node,
+                                 const double       factor,
+                                 const unsigned int i,
+                                 const auto        &cell) {
+      const auto of_shape =
+        functions->strains_of_shape(i, cell_values.reinit(cell));
+      const auto first = points.first_point(cell);
+      for (unsigned int q = 0; q < of_shape.size(); ++q)
+        strains.push_back({first + q, node, factor * of_shape[q]});
+      std::vector<types::global_dof_index> dofs(
+        space.finite_element.n_dofs_per_cell());
+      cell->get_dof_indices(dofs);
+      places[dofs[i]] = functions->parts_of(dofs[i]);
+    });
+  }
+
+
+
+  template <int dim>
+  typename ImposedDisplacement<dim>::Values
+  ImposedDisplacement<dim>::values(const double t) const
+  {
+    Values all;
+    collectively(communicator, [&]() {
+      for (const Node &node : nodes)
+        all.push_back(node.displacement.value(node.point, t));
+    });
+    return all;
+  }
+
+
+
+  template <int dim>
+  void
+  ImposedDisplacement<dim>::add_strains(
+    const Values                  &values,
+    const double                   factor,
+    std::vector<VoigtVector<dim>> &all) const
+  {
+    for (const auto &[point, node, strain] : strains)
+      all[point] += factor * values[node] * strain;
+  }
+
+
+
+  template <int dim>
+  void
+  ImposedDisplacement<dim>::add_values(const Values &values,
+                                       const double  factor,
+                                       Vector       &nodal) const
+  {
+    nodal.zero_out_ghost_values();
+    for (const auto &[dof, parts] : places)
+      if (nodal.in_local_range(dof))
+        for (const auto &[node, part] : parts)
+          nodal(dof) += factor * part * values[node];
+    nodal.update_ghost_values();
+  }
+
+
+
+  template <int dim>
+  double
+  ImposedDisplacement<dim>::value(
+    const typename NodalFunctions<dim>::Parts &parts,
+    const double                               t,
+    const double                               time) const
+  {
+    double sum = 0.;
+    for (const auto &[node, factor] : parts)
+      sum += factor * (nodes[node].displacement.value(nodes[node].point, t) +
+                       time * rates[node]);
+    return sum;
+  }
+
+
+
+  template class ImposedDisplacement<2>;
+  template class ImposedDisplacement<3>;
+} // namespace Crevasse
