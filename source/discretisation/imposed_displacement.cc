@@ -56,6 +56,7 @@ namespace Crevasse
           }
     functions = std::make_unique<const NodalFunctions<dim>>(space, numbers);
     require_free_normals(space);
+    require_straight_planes(space);
     find_strains(space, points);
   }
 
@@ -76,6 +77,44 @@ namespace Crevasse
                 " it meets a lip whose normal is not along an axis, so that "
                 "the displacement would open the lip. End the displaced "
                 "boundary before the lip.");
+    });
+  }
+
+
+
+  template <int dim>
+  void
+  ImposedDisplacement<dim>::require_straight_planes(
+    const Space<dim> &space) const
+  {
+    const auto                          &fe = space.finite_element;
+    FEFaceValues<dim>                    values(space.mapping,
+                             fe,
+                             QMidpoint<dim - 1>(),
+                             update_normal_vectors);
+    std::vector<types::global_dof_index> dofs(fe.n_dofs_per_cell());
+    collectively(communicator, [&]() {
+      for (const auto &cell : owned_cells(space.dof_handler))
+        for (const unsigned int f : cell->face_indices())
+          {
+            if (!cell->at_boundary(f) ||
+                space.roles.symmetry.count(cell->face(f)->boundary_id()) == 0)
+              continue;
+            values.reinit(cell, f);
+            cell->get_dof_indices(dofs);
+            double largest = 0.;
+            for (unsigned int d = 0; d < dim; ++d)
+              largest = std::max(largest, std::abs(values.normal_vector(0)[d]));
+            for (unsigned int i = 0; largest < 1. - 1e-8 && i < dofs.size();
+                 ++i)
+              if (fe.has_support_on_face(i, f) &&
+                  functions->numbers.count(dofs[i]) > 0)
+                throw SceneError(
+                  "[Boundary] Displaced: at " +
+                  Text::from_point(cell->face(f)->center()) +
+                  " it meets a plane of symmetry that is not across an axis. "
+                  "Turn the mesh, so that this plane is x, y or z = const.");
+          }
     });
   }
 

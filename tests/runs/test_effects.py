@@ -29,7 +29,7 @@ STEPS, STAGES = 40, 2
 INSTANTS = STAGES * STEPS
 
 NAMES = {"contact", "viscosity", "secular flow", "chain", "thermal strain",
-         "varying stiffness", "varying viscosity", "body force",
+         "varying stiffness", "varying viscosity", "body force", "imposed displacement",
          "singular functions", "stress intensity", "field output"}
 
 
@@ -72,6 +72,9 @@ def test_table():
             ({"varying viscosity", "secular flow"},
              ["Material/Viscosity time factor=1 + 0.1*sin(2*pi*t/600)"]),
             ({"body force"}, ["Loads/Body force=0; sin(2*pi*t/600)"]),
+            ({"imposed displacement"},
+             ["Boundary/Displaced=3", "Loads/Traction=",
+              "Loads/Displacement=free; 1e-3*sin(2*pi*t/600)"]),
             ({"field output"}, ["Output/Fields=vtu"])):
         table = run(SCENE, "table", settings).summary["effects"]
         found = {name for name, effect in table.items() if effect["on"]}

@@ -261,6 +261,20 @@ def test_refused():
         check(status == 2 and expected in error, f"{settings}: {status} {error}")
 
 
+def test_inclined_supports_are_refused():
+    """Nodes that are imposed and tied to an inclined plane, or open an inclined lip."""
+    square("half_17.msh", degrees=17, half=True)
+    path = pathlib.Path("inclined.prm")
+    path.write_text(plain(BAR.replace("rectangle", "mesh file")))
+    for roles, expected in (
+            (["Boundary/Displaced=4", "Boundary/Symmetry=2, 3"], "a plane of symmetry"),
+            (["Boundary/Displaced=2", "Boundary/Symmetry=none",
+              f"Boundary/Contact={CRACK}"], "a lip whose normal")):
+        status, _, error = execute(path, "--check", *overrides(
+            ["Geometry/Mesh file=half_17.msh", "Output/Probes=", *roles]))
+        check(status == 2 and expected in error, f"{roles}: {status} {error}")
+
+
 test_elastic_bar()
 test_elastic_shear()
 test_relaxation()
@@ -271,3 +285,4 @@ test_solvers_and_ranks()
 test_two_lips()
 test_reactions_equal_loads()
 test_refused()
+test_inclined_supports_are_refused()

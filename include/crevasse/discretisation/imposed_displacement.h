@@ -25,7 +25,7 @@ namespace Crevasse
   public:
     /** Finds nodes and strains. Collective. The space must outlive it.
      * @throw SceneError if a contact node has an imposed component along its
-     * normal. */
+     * normal, or an inclined plane of symmetry has an imposed node. */
     ImposedDisplacement(const Space<dim>           &space,
                         const QuadratureField<dim> &points,
                         const LoadParameters       &loads);
@@ -67,6 +67,8 @@ namespace Crevasse
   private:
     void
     require_free_normals(const Space<dim> &space) const;
+    void
+    require_straight_planes(const Space<dim> &space) const;
     void
     find_strains(const Space<dim> &space, const QuadratureField<dim> &points);
 
