@@ -119,8 +119,6 @@ namespace Crevasse
       {
         const auto squares =
           elastic_error_squares(run.scene, body, run.systems, run.steps);
-        const TipContext context{
-          run.steps, run.flow, closure, Units(run.scene.units), run.log};
         unsigned int n_two_lips = 0;
         for (const auto &tip : run.crack_tips)
           {
@@ -133,6 +131,7 @@ namespace Crevasse
               TipContext{run.steps,
                          run.flow,
                          tip->intensity.region.tip.is_open ? nullptr : closure,
+                         Units(run.scene.units),
                          run.log},
               table("crack_tip" + number + ".csv", TipTable::columns(*tip))));
             tips.push_back(of_tip);
