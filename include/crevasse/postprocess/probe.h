@@ -4,6 +4,7 @@
 #ifndef crevasse_postprocess_probe_h
 #define crevasse_postprocess_probe_h
 
+#include <crevasse/discretisation/imposed_displacement.h>
 #include <crevasse/discretisation/stress_recovery.h>
 #include <crevasse/lip/contact_boundary.h>
 #include <crevasse/parameters/probe_list.h>
