@@ -236,7 +236,7 @@ def mistake():
     text = page.read_text()
     check("The scene has a mistake" in text and "picture: mistake.html" in output
           and "<h1>&lt;b&gt; &amp; &lt;/script&gt;</h1>" in text
-          and boundaries(page)["lip"].role == "free", "the page of a mistake")
+          and boundaries(page)["lip"].role == "open crack", "the page of a mistake")
     sentence = output.split("crevasse: ")[-1].strip().splitlines()[0]
     check(html.escape(sentence[:60]) in text, f"{sentence}")
     page, _ = picture(PRM / "raous1980.prm", "mistake", ["Boundary/Loaded=17"],

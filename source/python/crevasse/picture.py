@@ -27,6 +27,8 @@ COLOURS = {"Clamped": ("#0072b2", "#56b4e9", "#003a5c"),
            "Loaded": ("#d55e00", "#f2a65e", "#7a3600"),
            "Contact": ("#c2378f", "#e79acb", "#6b1b4e"),
            "Crack": ("#7b3fc4", "#b795ea", "#3f1a70"),
+           "Open crack": ("#0f8b8d", "#86cfd0", "#0a4a4b"),
+           "Displaced": ("#e3b505", "#f1da82", "#8a6d00"),
            "axis": ("#8a6d00", "#8a6d00", "#8a6d00"),
            "free": ("#777777", "#a9a9a9", "#4d4d4d")}
 

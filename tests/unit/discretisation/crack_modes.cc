@@ -58,6 +58,7 @@ namespace
     scene.boundary.symmetry      = "none";
     scene.boundary.loaded        = "none";
     scene.boundary.contact       = "none";
+    scene.boundary.open_crack    = "none";
     scene.boundary.crack         = "1";
     scene.boundary.fixed_points  = "none";
     scene.material.young_modulus = "1";
