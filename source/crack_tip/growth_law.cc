@@ -18,7 +18,7 @@ namespace Crevasse
                   const TipHistory         &history)
     {
       const double m = law.paris_exponent, K_th = law.paris_threshold;
-      if (range <= K_th || range == 0.)
+      if (range <= K_th)
         return 0.;
       double growth = law.paris_factor * std::pow(range, m) *
                       std::pow(history.range / history.largest, // 1 − R
@@ -42,6 +42,8 @@ namespace Crevasse
       const double range = law.growth_range == GrowthRange::whole
                              ? history.range
                              : history.effective_range;
+      if (range == 0.) // R of a closed crack is not known
+        return 0.;
       switch (traits(law.growth_law).fatigue)
         {
           case FatigueLaw::paris: // NaN propagates

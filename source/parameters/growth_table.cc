@@ -108,8 +108,6 @@ namespace Crevasse
     const auto  &below = *std::prev(above);
     const double lower = below.second.at(range);
     const double part  = (ratio - below.first) / (above->first - below.first);
-    // Below the threshold of one curve, ln(0) would win.
-    return lower > 0. && upper > 0. ? lower * std::pow(upper / lower, part)
-                                    : (1. - part) * lower + part * upper;
+    return (1. - part) * lower + part * upper;
   }
 } // namespace Crevasse

@@ -236,8 +236,13 @@ def test_laws():
     columns |= {"Delta_K_eff": columns["Delta_K"], "C_star": [math.nan] * 6}
     fatigue, _ = growth(columns, "Crack growth law=table", "Growth table=two.csv")
     numpy.testing.assert_allclose(
-        fatigue, [16e-3, 8e-3, 1e-3, math.nan, 1e-3 * 1.95**2 * 4**(0.025 / 0.5), 0.],
+        fatigue, [16e-3, 10e-3, 1e-3, math.nan, 1e-3 * 1.95**2 * (0.95 + 0.05 * 4), 0.],
         rtol=1e-12)
+    # A closed crack, of which R is not known, does not grow.
+    closed = {"K_max": [0.], "Delta_K": [0.], "Delta_K_eff": [0.], "C_star": [math.nan]}
+    for law in (["table", "Growth table=two.csv"],
+                ["walker", "Paris factor=1", "Paris exponent=2"]):
+        check(growth(closed, f"Crack growth law={law[0]}", *law[1:])[0][0] == 0., law[0])
 
 
 def test_interrupted():
