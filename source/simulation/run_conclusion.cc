@@ -249,9 +249,9 @@ namespace Crevasse
         summary.value("closed_part", Summary()) ==
           Summary{{"wholly", 0.}, {"partly", 0.}})
       log.line(
-        "  No lip touches in the periodic state. How far it opens on the "
-        "way from rest is not known: openings are some of many. Method = "
-        "march follows that way.");
+        "  No lip touches in the periodic state. How far it opens depends on "
+        "the way from rest, which this method does not follow; Method = march "
+        "does.");
     const PeriodicStateParameters &parameters = scene.periodic_state;
     if (body.effects.viscosity.on)
       require_meaning(summary["certificate"]["stress_rounding"],

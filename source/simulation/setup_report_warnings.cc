@@ -46,6 +46,9 @@ namespace Crevasse
     void
     doubt_units(const Run<dim> &run, std::vector<std::string> &all)
     {
+      const Units units(run.scene.units);
+      if (!units.are_known())
+        return;
       double     stiffness = 0.;
       const auto material  = run.body.material.at(0.);
       for (const VoigtMatrix<dim> &K : material.stiffness->distinct())
@@ -53,10 +56,9 @@ namespace Crevasse
       stiffness =
         dealii::Utilities::MPI::max(stiffness, run.body.space.communicator());
       for (const std::string &doubt :
-           Units(run.scene.units)
-             .doubts(RigidParts<dim>(run.body.space.mesh()).size(),
-                     stiffness,
-                     run.steps.period()))
+           units.doubts(RigidParts<dim>(run.body.space.mesh()).size(),
+                        stiffness,
+                        run.steps.period()))
         all.push_back(doubt);
     }
   } // namespace
