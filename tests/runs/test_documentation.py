@@ -27,7 +27,7 @@ def blocks(text, language):
     return re.findall(rf"^```{language}\n(.*?)^```$", text, re.M | re.S)
 
 
-FIRST_SCENE, OWN_MESH = blocks(SCENES, "prm")
+FIRST_SCENE, *_, OWN_MESH = blocks(SCENES, "prm")
 
 
 def program_commands(text):
