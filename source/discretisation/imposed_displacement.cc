@@ -5,6 +5,7 @@
 #include <crevasse/base/problems.h>
 #include <crevasse/base/text.h>
 #include <crevasse/discretisation/imposed_displacement.h>
+#include <crevasse/discretisation/stiffness.h>
 
 namespace Crevasse
 {
@@ -125,35 +126,33 @@ namespace Crevasse
   ImposedDisplacement<dim>::find_strains(const Space<dim>           &space,
                                          const QuadratureField<dim> &points)
   {
-    CellValues<dim> cell_values(space,
-                                update_values | update_gradients |
-                                  update_quadrature_points | update_JxW_values);
-    functions->for_each_part([&](const unsigned int node,
-                                 const double       factor,
-                                 const unsigned int i,
-                                 const auto        &cell) {
-      const auto of_shape =
-        functions->strains_of_shape(i, cell_values.reinit(cell));
-      const auto first = points.first_point(cell);
-      for (unsigned int q = 0; q < of_shape.size(); ++q)
-        strains.push_back({first + q, node, factor * of_shape[q]});
-      std::vector<types::global_dof_index> dofs(
-        space.finite_element.n_dofs_per_cell());
-      cell->get_dof_indices(dofs);
-      places[dofs[i]] = functions->parts_of(dofs[i]);
+    ShapeStrains<dim>             shapes(space);
+    std::vector<VoigtVector<dim>> of_shapes;
+    functions->for_each_cell([&](const auto &cell, const auto &parts) {
+      const FEValues<dim> &values = shapes.reinit(cell);
+      for (const unsigned int q : values.quadrature_point_indices())
+        {
+          shapes.at_point(q, of_shapes);
+          for (const auto &[i, node, factor] : parts)
+            strains.push_back(
+              {points.first_point(cell) + q, node, factor * of_shapes[i]});
+        }
     });
+    for (const auto dof : space.dof_handler.locally_owned_dofs())
+      if (const auto parts = functions->parts_of(dof); !parts.empty())
+        places.emplace_back(dof, parts);
   }
 
 
 
   template <int dim>
   typename ImposedDisplacement<dim>::Values
-  ImposedDisplacement<dim>::values(const double t) const
+  ImposedDisplacement<dim>::values(const double t, const double time) const
   {
     Values all;
     collectively(communicator, [&]() {
-      for (const Node &node : nodes)
-        all.push_back(node.displacement.value(node.point, t));
+      for (unsigned int k = 0; k < nodes.size(); ++k)
+        all.push_back(value(k, t, time));
     });
     return all;
   }
@@ -176,14 +175,12 @@ namespace Crevasse
   template <int dim>
   void
   ImposedDisplacement<dim>::add_values(const Values &values,
-                                       const double  factor,
                                        Vector       &nodal) const
   {
     nodal.zero_out_ghost_values();
     for (const auto &[dof, parts] : places)
-      if (nodal.in_local_range(dof))
-        for (const auto &[node, part] : parts)
-          nodal(dof) += factor * part * values[node];
+      for (const auto &[node, part] : parts)
+        nodal(dof) += part * values[node];
     nodal.update_ghost_values();
   }
 
@@ -198,8 +195,20 @@ namespace Crevasse
   {
     double sum = 0.;
     for (const auto &[node, factor] : parts)
-      sum += factor * (nodes[node].displacement.value(nodes[node].point, t) +
-                       time * rates[node]);
+      sum += factor * value(node, t, time);
+    return sum;
+  }
+
+
+
+  template <int dim>
+  double
+  ImposedDisplacement<dim>::rate(
+    const typename NodalFunctions<dim>::Parts &parts) const
+  {
+    double sum = 0.;
+    for (const auto &[node, factor] : parts)
+      sum += factor * rates[node];
     return sum;
   }
 

@@ -9,32 +9,6 @@ namespace Crevasse
 {
   using namespace dealii;
 
-  namespace
-  {
-    /** A coordinate of the point, in all components. */
-    template <int dim>
-    class Coordinate : public Function<dim>
-    {
-    public:
-      explicit Coordinate(const unsigned int axis)
-        : Function<dim>(dim)
-        , axis(axis)
-      {
-      }
-
-      double
-      value(const Point<dim> &point, const unsigned int) const override
-      {
-        return point[axis];
-      }
-
-    private:
-      const unsigned int axis;
-    };
-  } // namespace
-
-
-
   template <int dim>
   std::map<types::global_dof_index, Point<dim>>
   nodes_on(const Space<dim>        &space,
@@ -46,13 +20,13 @@ namespace Crevasse
     std::map<types::global_dof_index, Point<dim>> points;
     for (unsigned int axis = 0; axis < dim; ++axis)
       {
+        const VectorFunctionFromScalarFunctionObject<dim> coordinate(
+          [axis](const Point<dim> &point) { return point[axis]; },
+          component,
+          dim);
         std::map<types::global_dof_index, double> coordinates;
-        VectorTools::interpolate_boundary_values(space.mapping,
-                                                 space.dof_handler,
-                                                 id,
-                                                 Coordinate<dim>(axis),
-                                                 coordinates,
-                                                 mask);
+        VectorTools::interpolate_boundary_values(
+          space.mapping, space.dof_handler, id, coordinate, coordinates, mask);
         for (const auto &[dof, coordinate] : coordinates)
           points[dof][axis] = coordinate;
       }
@@ -86,41 +60,6 @@ namespace Crevasse
         if (const auto own = numbers.find(master); own != numbers.end())
           parts.emplace_back(own->second, factor);
     return parts;
-  }
-
-
-
-  template <int dim>
-  std::vector<VoigtVector<dim>>
-  NodalFunctions<dim>::strains_of_shape(const unsigned int   i,
-                                        const FEValues<dim> &values) const
-  {
-    const unsigned int component =
-      space.finite_element.system_to_component_index(i).first;
-    std::vector<VoigtVector<dim>> strains;
-    double                        trace = 0., volume = 0.;
-    const auto                    trace_of = [](const VoigtVector<dim> &e) {
-      return e[0] + e[1] + e[2];
-    };
-    for (const unsigned int q : values.quadrature_point_indices())
-      {
-        Tensor<2, dim> gradient;
-        gradient[component] = values.shape_grad(i, q);
-        strains.push_back(voigt_strain<dim>(gradient));
-        if (space.roles.has_axis && component == 0)
-          strains.back()[2] =
-            values.shape_value(i, q) / values.quadrature_point(q)[0];
-        trace += trace_of(strains.back()) * values.JxW(q);
-        volume += values.JxW(q);
-      }
-    if (space.volumetric_strain == VolumetricStrain::mean)
-      for (VoigtVector<dim> &strain : strains)
-        {
-          const double change = (trace / volume - trace_of(strain)) / 3.;
-          for (const unsigned int c : {0, 1, 2})
-            strain[c] += change;
-        }
-    return strains;
   }
 
 

@@ -260,10 +260,7 @@ namespace Crevasse
   {
     Vector nodal = space.nodal_values(displacement);
     if (imposed.is_on)
-      {
-        imposed.add_values(imposed.values(t), 1., nodal);
-        imposed.add_values(imposed.rates, time, nodal);
-      }
+      imposed.add_values(imposed.values(t, time), nodal);
     return nodal;
   }
 

@@ -2,6 +2,7 @@
 // Copyright (C) 2026 by the Crevasse authors
 
 #include <crevasse/base/collectively.h>
+#include <crevasse/discretisation/stiffness.h>
 #include <crevasse/postprocess/reactions.h>
 
 namespace Crevasse
@@ -22,21 +23,20 @@ namespace Crevasse
       for (unsigned int d = 0; d < dim; ++d)
         for (const auto &[dof, point] : nodes_on(body.space, ids[b], d))
           numbers.emplace(dof, b * dim + d);
-    const NodalFunctions<dim> functions(body.space, numbers);
-    CellValues<dim>           cell_values(body.space,
-                                update_values | update_gradients |
-                                  update_quadrature_points | update_JxW_values);
-    functions.for_each_part([&](const unsigned int column,
-                                const double       part,
-                                const unsigned int i,
-                                const auto        &cell) {
-      const FEValues<dim> &values   = cell_values.reinit(cell);
-      const auto           of_shape = functions.strains_of_shape(i, values);
+    const NodalFunctions<dim>     functions(body.space, numbers);
+    ShapeStrains<dim>             shapes(body.space);
+    std::vector<VoigtVector<dim>> of_shapes;
+    functions.for_each_cell([&](const auto &cell, const auto &parts) {
+      const FEValues<dim> &values = shapes.reinit(cell);
       for (const unsigned int q : values.quadrature_point_indices())
-        of_stress.push_back({(body.points.first_point(cell) + q) *
-                               QuadratureField<dim>::n_components,
-                             column,
-                             part * values.JxW(q) * of_shape[q]});
+        {
+          shapes.at_point(q, of_shapes);
+          for (const auto &[i, column, part] : parts)
+            of_stress.push_back({(body.points.first_point(cell) + q) *
+                                   QuadratureField<dim>::n_components,
+                                 column,
+                                 part * values.JxW(q) * of_shapes[i]});
+        }
     });
     find_loads(functions);
   }
@@ -55,22 +55,24 @@ namespace Crevasse
                                   space.finite_element,
                                   space.face_quadrature(),
                                   flags | update_normal_vectors);
-    functions.for_each_part([&](const unsigned int column,
-                                const double       part,
-                                const unsigned int i,
-                                const auto        &cell) {
-      const unsigned int component =
-        space.finite_element.system_to_component_index(i).first;
+    functions.for_each_cell([&](const auto &cell, const auto &parts) {
       const auto add = [&](const FEValuesBase<dim> &values,
                            const types::boundary_id id) {
         for (const unsigned int q : values.quadrature_point_indices())
           {
-            LoadedPoint point{column, id, values.quadrature_point(q), {}, {}};
+            LoadedPoint point{id, values.quadrature_point(q), {}, {}};
             if (id != numbers::invalid_boundary_id)
               point.normal = values.normal_vector(q);
-            point.share[component] =
-              part * values.shape_value(i, q) * values.JxW(q);
-            loaded.push_back(point);
+            for (const auto &[i, column, part] : parts)
+              {
+                const unsigned int component =
+                  space.finite_element.system_to_component_index(i).first;
+                point.shares.push_back(
+                  {column,
+                   component,
+                   part * values.shape_value(i, q) * values.JxW(q)});
+              }
+            loaded.push_back(std::move(point));
           }
       };
       if (!volume_forces.empty())
@@ -118,7 +120,8 @@ namespace Crevasse
           else
             for (const auto &[d, formula] : volume_forces)
               force[d] += formula.value(place.point, t);
-          sums[place.column] -= place.share * force;
+          for (const auto &[column, component, share] : place.shares)
+            sums[column] -= share * force[component];
         }
     });
     Utilities::MPI::sum(sums, body.space.communicator(), sums);

@@ -33,10 +33,10 @@ namespace Crevasse
     /** Values at all nodes in the cells that this rank sees. */
     using Values = std::vector<double>;
 
-    /** Values of q at an instant within the period. Collective.
+    /** Values of q + time β at an instant within the period. Collective.
      * @throw SceneError if a formula has no finite value. */
     Values
-    values(const double t) const;
+    values(const double t, const double time = 0.) const;
 
     /** Adds the strain of values times a factor to strains at the points of
      * this rank. */
@@ -45,16 +45,17 @@ namespace Crevasse
                 const double                   factor,
                 std::vector<VoigtVector<dim>> &strains) const;
 
-    /** Adds values times a factor to those at all nodes
-     * (Space::nodal_values()). */
+    /** Adds values to those at all nodes (Space::nodal_values()). */
     void
-    add_values(const Values &values, const double factor, Vector &nodal) const;
+    add_values(const Values &values, Vector &nodal) const;
 
-    /** Value of q + time β at a place, from the parts of its functions. */
+    // Value of q + time β, and of β, at a place with these parts of functions.
     double
     value(const typename NodalFunctions<dim>::Parts &parts,
           const double                               t,
           const double                               time) const;
+    double
+    rate(const typename NodalFunctions<dim>::Parts &parts) const;
 
     bool   is_on  = false; ///< whether a boundary is displaced
     bool   varies = false; ///< whether q depends on time
@@ -71,6 +72,13 @@ namespace Crevasse
     require_straight_planes(const Space<dim> &space) const;
     void
     find_strains(const Space<dim> &space, const QuadratureField<dim> &points);
+
+    double
+    value(const unsigned int node, const double t, const double time) const
+    {
+      return nodes[node].displacement.value(nodes[node].point, t) +
+             time * rates[node];
+    }
 
     struct Node
     {
@@ -89,9 +97,9 @@ namespace Crevasse
     const MPI_Comm      communicator;
     std::vector<Node>   nodes;
     std::vector<Strain> strains;
-    /** Degrees of freedom where functions are not 0. */
-    std::map<dealii::types::global_dof_index,
-             typename NodalFunctions<dim>::Parts>
+    /** This rank's degrees of freedom where functions are not 0. */
+    std::vector<std::pair<dealii::types::global_dof_index,
+                          typename NodalFunctions<dim>::Parts>>
       places;
   };
 } // namespace Crevasse

@@ -4,9 +4,7 @@
 #ifndef crevasse_discretisation_nodal_functions_h
 #define crevasse_discretisation_nodal_functions_h
 
-#include <crevasse/discretisation/cell_values.h>
 #include <crevasse/discretisation/space.h>
-#include <crevasse/material/voigt.h>
 
 #include <map>
 
@@ -37,27 +35,33 @@ namespace Crevasse
     Parts
     parts_of(const dealii::types::global_dof_index dof) const;
 
-    /** Calls f(number, value, i, cell) for this rank's cells and their degrees
-     * of freedom i at which a function is not 0. */
+    /** Value of a function at the node of degree of freedom i of a cell. */
+    struct Part
+    {
+      unsigned int i;
+      unsigned int number;
+      double       value;
+    };
+
+    /** Calls f(cell, parts) for this rank's cells in which a function is not
+     * 0. */
     template <typename Function>
     void
-    for_each_part(const Function &f) const
+    for_each_cell(const Function &f) const
     {
       std::vector<dealii::types::global_dof_index> dofs(
         space.finite_element.n_dofs_per_cell());
       for (const auto &cell : owned_cells(space.dof_handler))
         {
           cell->get_dof_indices(dofs);
+          std::vector<Part> parts;
           for (unsigned int i = 0; i < dofs.size(); ++i)
             for (const auto &[number, value] : parts_of(dofs[i]))
-              f(number, value, i, cell);
+              parts.push_back({i, number, value});
+          if (!parts.empty())
+            f(cell, parts);
         }
     }
-
-    /** Strains of shape function i at the points of its cell. */
-    std::vector<VoigtVector<dim>>
-    strains_of_shape(const unsigned int           i,
-                     const dealii::FEValues<dim> &values) const;
 
     const Space<dim> &space;
     const Numbers     numbers;

@@ -53,9 +53,10 @@ namespace Crevasse
     dealii::Tensor<1, dim>
     velocity(const Vector &velocity) const
     {
-      return dealii::Utilities::MPI::sum(apply(displacement_weights, velocity) +
-                                           rate_at(displacement_weights),
-                                         communicator);
+      dealii::Tensor<1, dim> sum = apply(displacement_weights, velocity);
+      for (unsigned int d = 0; imposed != nullptr && d < dim; ++d)
+        sum[d] += imposed->rate(displacement_weights[d].of_imposed);
+      return dealii::Utilities::MPI::sum(sum, communicator);
     }
 
     /** Pressure at a point of the lip; 0 at other points. Collective. */
@@ -104,16 +105,11 @@ namespace Crevasse
 
     static dealii::Tensor<1, dim>
     apply(const DisplacementWeights &weights, const Vector &displacement);
-    /** Imposed displacement, and its rate, of this rank. */
+    /** Imposed displacement of this rank. */
     dealii::Tensor<1, dim>
     imposed_at(const DisplacementWeights &weights,
                const double               t,
                const double               time) const;
-    dealii::Tensor<1, dim>
-    rate_at(const DisplacementWeights &weights) const
-    {
-      return imposed_at(weights, 0., 1.) - imposed_at(weights, 0., 0.);
-    }
     double
     local_pressure(const ContactForces &contact_forces) const;
 

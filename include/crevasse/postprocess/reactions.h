@@ -43,14 +43,21 @@ namespace Crevasse
       VoigtVector<dim> factor;
     };
 
-    /** Share of a load at a point: in the volume, or on a boundary. */
+    /** Share of a component of a load. */
+    struct Share
+    {
+      unsigned int column;
+      unsigned int component;
+      double       part;
+    };
+
+    /** A point with a load: in the volume, or on a boundary. */
     struct LoadedPoint
     {
-      unsigned int               column;
       dealii::types::boundary_id id;
       dealii::Point<dim>         point;
       dealii::Tensor<1, dim>     normal;
-      dealii::Tensor<1, dim>     share;
+      std::vector<Share>         shares;
     };
 
     const Body<dim>                                       &body;

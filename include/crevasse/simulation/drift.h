@@ -148,7 +148,7 @@ namespace Crevasse
     largest_rate(const Vector &velocity) const
     {
       Vector nodal = run.body.space.nodal_values(velocity);
-      run.body.imposed.add_values(run.body.imposed.rates, 1., nodal);
+      run.body.imposed.add_values(run.body.imposed.rates, nodal);
       return nodal.linfty_norm();
     }
 
