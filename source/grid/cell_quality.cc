@@ -33,9 +33,10 @@ namespace Crevasse
             double &worst = all[cell->active_cell_index()];
             for (const auto &jacobian : values.get_jacobians())
               {
-                double edges = 1.;
+                const auto columns = jacobian.transpose();
+                double     edges   = 1.;
                 for (unsigned int d = 0; d < dim; ++d)
-                  edges *= jacobian.transpose()[d].norm();
+                  edges *= columns[d].norm();
                 worst =
                   std::min(worst,
                            edges > 0. ? jacobian.determinant() / edges : 0.);

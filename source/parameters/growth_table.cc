@@ -94,10 +94,7 @@ namespace Crevasse
   {
     if (curves.size() == 1)
       return curves.begin()->second.at(range);
-    const auto above =
-      std::find_if(curves.begin(), curves.end(), [ratio](const auto &curve) {
-        return curve.first >= ratio - rounding;
-      });
+    const auto above = curves.lower_bound(ratio - rounding);
     if (above == curves.end())
       return outside;
     const double upper = above->second.at(range);

@@ -21,7 +21,10 @@ namespace Crevasse
         if (text[i] != '|')
           parts.back() += text[i];
         else if (text.compare(i, 2, "||") == 0)
-          parts.back() += text[i++], parts.back() += text[i];
+          {
+            parts.back() += "||";
+            ++i;
+          }
         else
           parts.emplace_back();
       return parts;
@@ -197,14 +200,14 @@ namespace Crevasse
 
 
 
-  std::vector<LoadParameters::Force>
+  std::array<LoadParameters::Force, 3>
   LoadParameters::forces() const
   {
-    return {
+    return {{
       {"Traction", "traction", traction, false, false},
       {"Pressure", "pressure", pressure, false, true},
       {"Body force", "body force", body_force, true, false},
-    };
+    }};
   }
 
 

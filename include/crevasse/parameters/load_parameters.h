@@ -85,7 +85,7 @@ namespace Crevasse
     };
 
     /** All forces: code that handles one handles each. */
-    std::vector<Force>
+    std::array<Force, 3>
     forces() const;
 
     void
