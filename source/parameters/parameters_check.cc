@@ -21,12 +21,8 @@ namespace Crevasse
                 const std::string &advice = "")
     {
       std::error_code no_size; // pipes have no size
-      if (const std::string why = why_unreadable(file_name); !why.empty())
-        {
-          problems.add(section, name, file_name, why + advice);
-          problems.last_is_unreadable();
-        }
-      else if (std::filesystem::file_size(file_name, no_size) == 0 && !no_size)
+      if (Checker(section, problems).demand_file(name, file_name, advice) &&
+          std::filesystem::file_size(file_name, no_size) == 0 && !no_size)
         problems.add(section, name, file_name, "is empty");
     }
 

@@ -186,14 +186,10 @@ namespace Crevasse
   void
   TableParameters::read(Problems &problems)
   {
+    const Checker checker(section, problems);
     for (const std::string &file : files)
-      if (const std::string why = why_unreadable(file); !why.empty())
-        {
-          problems.add(section, "Files", file, why);
-          problems.last_is_unreadable();
-        }
-      else
-        Checker(section, problems).demand_readable("Files", [&]() {
+      if (checker.demand_file("Files", file))
+        checker.demand_readable("Files", [&]() {
           add_table(file, *functions, step_ends);
         });
     // Formulas that call them would only confuse.

@@ -5,6 +5,7 @@
 #define crevasse_parameters_checker_h
 
 #include <crevasse/base/parsed.h>
+#include <crevasse/base/text_file.h>
 
 namespace Crevasse
 {
@@ -33,6 +34,21 @@ namespace Crevasse
     demand_valid(const char *name, const Parsed<Value> &parameter) const
     {
       demand(parameter.is_valid(), name, parameter.error());
+    }
+
+    /** Adds a problem unless a file can be read. @return whether it can.
+     * @param advice what to do if it cannot. */
+    bool
+    demand_file(const char        *name,
+                const std::string &file_name,
+                const std::string &advice = "") const
+    {
+      const std::string why = why_unreadable(file_name);
+      if (why.empty())
+        return true;
+      problems.add(section, name, file_name, why + advice);
+      problems.last_is_unreadable();
+      return false;
     }
 
     /** Adds a problem if a value cannot be read.
