@@ -10,11 +10,10 @@ import argparse
 import pathlib
 
 from crevasse.advise import target_error
-from crevasse.command import CommandError, Log, Parser, Stop, count, taken
+from crevasse.command import Parser, count
 from crevasse.life_run import Life
-from crevasse.program import Program
-from crevasse.results import ResultsError, number
-from crevasse.sweep import one_thread_each
+from crevasse.results import number
+from crevasse.sweep import make_runs
 
 EPILOG = """Files in DIR:
   life.csv      a(N): periods, crack length, K, C*, growth by each part, error of N
@@ -85,25 +84,6 @@ def arguments(words):
     return options
 
 
-def life(options, stop, log):
-    run = Life(options, Program(stop, one_thread_each()), log)
-    with taken(run.directory):
-        log.open(run.directory / "life.log")
-        stop.look_in(run.directory)
-        run.run()
-
-
 def main(words):
-    options = arguments(words)
-    log = Log(options.quiet)
-    try:
-        life(options, Stop(options.wall_time, "The finished runs are kept: repeat the "
-                           "command to continue."), log)
-    except (CommandError, ResultsError, OSError) as error:
-        status = getattr(error, "status", 4)
-        if status == 5:
-            log(f"crevasse: {error}")
-        else:
-            log.error(f"crevasse: {error}")
-        return status
-    return 0
+    return make_runs(Life, arguments(words), "life.log", "The finished runs are kept: "
+                     "repeat the command to continue.")

@@ -9,6 +9,7 @@ import json
 import tempfile
 
 import numpy
+from scipy.integrate import trapezoid
 from scipy.interpolate import BarycentricInterpolator, PchipInterpolator
 from scipy.optimize import brentq
 
@@ -40,10 +41,9 @@ class Node:
     creep: tuple  # growth a period, where a history drives it, also with the error
 
 
-def mean_of_period(t, values, period):
-    last = t >= t[-1] - period * (1 + 1e-9)
-    t, values = t[last], values[last]
-    return (values[1:] + values[:-1]) @ numpy.diff(t) / 2 / numpy.ptp(t)
+def last_period(table, period):
+    """Rows of a table in the last period."""
+    return table["t"] >= table["t"][-1] - (1 + ROUNDING) * period
 
 
 class Reader:
@@ -114,7 +114,7 @@ class Reader:
         return Node(a, drivers, (drivers["Delta_K"] >= K * (1 - ROUNDING), any(closed)),
                     error, tip["position"],
                     0. if numpy.isnan(of_tip("growth_angle")) else tip["growth_angle"],
-                    self.transition(run, tip, of_tip), creep)
+                    self.transition(run, of_tip), creep)
 
     def require(self, a, tip, drivers):
         if self.needs_K and numpy.isnan(drivers["K_max"]):
@@ -126,28 +126,31 @@ class Reader:
             raise CommandError(f"at a = {a:g} Delta_K_eff is not known: "
                                f"{tip.get('no_K_opening')}", 3)
 
+    def table_of_tip(self, run, name):
+        return run.tables.get(f"{name}.csv") or run.tables[f"{name}_{self.tip or 1}.csv"]
+
     def table(self, run):
         """Instants and driver of creep in the last period."""
-        name = "crack_tip" if self.history == "K" else "creep_integral"
-        single = run.tables.get(f"{name}.csv")
-        table = single or run.tables[f"{name}_{self.tip or 1}.csv"]
+        table = self.table_of_tip(run, "crack_tip" if self.history == "K"
+                                  else "creep_integral")
         column = table.get("equivalent_intensity", table.get("K_I", table.get("C_t")))
-        begin = table["t"][-1] - self.period
-        last = table["t"] >= begin - ROUNDING * self.period
+        last = last_period(table, self.period)
         t, driver = table["t"][last], column[last]
+        begin = table["t"][-1] - self.period
         if t[0] > begin + ROUNDING * self.period:  # C(t) is not known at first
             t, driver = numpy.append(begin, t), numpy.append(numpy.nan, driver)
         return t, driver
 
-    def transition(self, run, tip, of_tip):
+    def transition(self, run, of_tip):
         """Energy release rate of the mean load over C*: the time in which a Maxwell body
         with a crack at rest comes to steady creep."""
         flow, K = of_tip("C_star"), of_tip("K_I", "largest")
         if not self.needs_c_star or not flow > 0. or not K > 0.:
             return numpy.nan
-        name = f"crack_tip_{self.tip or 1}.csv"
-        table = run.tables.get("crack_tip.csv") or run.tables[name]
-        mean = mean_of_period(table["t"], table["K_I"], self.period)
+        table = self.table_of_tip(run, "crack_tip")
+        last = last_period(table, self.period)
+        t = table["t"][last]
+        mean = trapezoid(table["K_I"][last], t) / numpy.ptp(t)
         return mean**2 * of_tip("energy_release_rate", "largest") / K**2 / flow
 
 

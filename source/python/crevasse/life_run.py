@@ -26,6 +26,15 @@ MOST_REFINEMENTS = 2  # of the meshes of the scene
 STEADY = 0.1  # of the ligament: growth within the time until creep is steady
 
 
+def without_law(scene, usual):
+    """Settings that leave runs as they are if the law changes: the usual ones of the
+    section Crack tip."""
+    return [*(f"Crack tip/{name}={value}" for name, value in usual.items()
+              if name not in NOT_OF_THE_LAW),
+            *["Crack tip/Stress intensity=true"]
+            * (scene["Crack tip/Creep integral"] != "true")]
+
+
 class Life:
     def __init__(self, options, program, log):
         self.options, self.program, self.log = options, program, log
@@ -39,7 +48,9 @@ class Life:
                         for file, scene in zip(self.files, scenes)]
         self.law = scenes[0]["Crack tip/Crack growth law"]
         self.lengths = Lengths(options, scenes[0])
-        self.own = [self.without_law(scene) for scene in scenes]
+        call = program.finish(program.start("--print-parameters", "json"))
+        usual = json.loads(call.output)["Crack tip"]
+        self.own = [without_law(scene, usual) for scene in scenes]
         self.jobs = choose_jobs(options, program, False)
         self.directory = options.output or pathlib.Path(
             (scenes[0]["Output directory"] or f"results/{options.scene.stem}") + "_life")
@@ -48,15 +59,6 @@ class Life:
         self.refinements = [int(scene["Geometry/Refinements"]) for scene in scenes]
         self.nodes, self.warnings, self.levels, self.new_runs = {}, {}, {}, 0
         self.runs = 0
-
-    def without_law(self, scene):
-        """Settings that leave runs as they are if the law changes."""
-        call = self.program.finish(self.program.start("--print-parameters", "json"))
-        usual = json.loads(call.output)["Crack tip"]
-        return [*(f"Crack tip/{name}={value}" for name, value in usual.items()
-                  if name not in NOT_OF_THE_LAW),
-                *["Crack tip/Stress intensity=true"]
-                * (scene["Crack tip/Creep integral"] != "true")]
 
     def settings(self, member, k):
         level = self.levels.get(k, 0)
@@ -72,10 +74,6 @@ class Life:
         self.compute(chosen := [*first])
         while True:
             found = self.estimate(chosen)
-            # Beyond the end of the growth a length matters only next to it.
-            beyond = lengths.all >= found.end
-            if beyond.any():
-                lengths.all = lengths.all[:max(beyond.argmax(), max(chosen)) + 1]
             following = lengths.next(chosen, found.growth.rates(lengths.all).sum(axis=0),
                                      found.kink)
             is_first = len(chosen) == len(first) and following is not None

@@ -69,20 +69,16 @@ def one_thread_each():
     return os.environ
 
 
-def sweep(options, stop, log):
-    run = Sweep(options, Program(stop, one_thread_each()), log)
-    with taken(run.directory):
-        log.open(run.directory / "sweep.log")
-        stop.look_in(run.directory)
-        run.run()
-
-
-def main(words):
-    options = arguments(words)
+def make_runs(series, options, log_file, what_is_kept):
+    """Makes the runs of a series, such as a Sweep; returns the exit status."""
     log = Log(options.quiet)
     try:
-        sweep(options, Stop(options.wall_time, "The finished points are kept: repeat "
-                            "the command to continue."), log)
+        stop = Stop(options.wall_time, what_is_kept)
+        run = series(options, Program(stop, one_thread_each()), log)
+        with taken(run.directory):
+            log.open(run.directory / log_file)
+            stop.look_in(run.directory)
+            run.run()
     except (CommandError, ResultsError, OSError) as error:
         status = getattr(error, "status", 4)
         if status == 5:
@@ -91,3 +87,8 @@ def main(words):
             log.error(f"crevasse: {error}")
         return status
     return 0
+
+
+def main(words):
+    return make_runs(Sweep, arguments(words), "sweep.log", "The finished points are kept: "
+                     "repeat the command to continue.")
