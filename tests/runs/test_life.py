@@ -86,6 +86,10 @@ def test_strip():
             check_close(table["x"][0] + table["a"][0], 1, 1e-12, "place of the tip")
     text = page(pathlib.Path("results/strip"))[0]
     check("periods from a = 0.1 to 0.6" in text, "the page")
+    code, output, error = execute("figures", "results/strip")
+    names = sorted(path.stem for path in pathlib.Path("results/strip/figures").iterdir())
+    check(code == 0 and names == ["crack_length", "growth", "stress_intensity"],
+          f"figures: {names}\n{output}{error}")
     from_python = crevasse.read("results/strip")
     check(from_python.summary["N"] == found["N"], "read from Python")
     check_close(from_python.table["a"].iloc[-1], 0.6, 1e-12, "table in Python")

@@ -5,13 +5,14 @@
 (1980), section 7: the mesh; stress and opening at a probe over one period; level
 curves of the stress, principal stresses and second invariant of the deviator at one
 instant. Of a sweep: each result that varies, such as K_I, against the parameter; errors
-against costs. Exit status: 0 done, 2 nothing to draw, 4 a file cannot be written."""
+against costs. Of a life: crack length over periods, growth, K and C*. Exit status: 0
+done, 2 nothing to draw, 4 a file cannot be written."""
 
 import argparse
 import pathlib
 import sys
 
-from crevasse import field_figures, probe_figures, sweep_figures
+from crevasse import field_figures, life_figures, probe_figures, sweep_figures
 from crevasse.fields import Fields
 from crevasse.plotting import save
 from crevasse.results import ResultsError
@@ -22,7 +23,8 @@ from crevasse.sweep_table import COSTS
 def arguments(words):
     parser = argparse.ArgumentParser(prog="crevasse figures", description=__doc__)
     parser.add_argument("results", metavar="RESULTS_DIR", type=pathlib.Path,
-                        help="output directory of crevasse or crevasse sweep")
+                        help="output directory of crevasse, crevasse sweep or crevasse "
+                        "life")
     parser.add_argument("--output", type=pathlib.Path, metavar="DIR",
                         help="directory of the figures (RESULTS_DIR/figures)")
     parser.add_argument("--format", nargs="+", default=["png"],
@@ -97,8 +99,9 @@ def run_drawings(options):
 
 def main(words):
     options = arguments(words)
-    is_sweep = (options.results / "sweep.csv").is_file()
-    drawings = sweep_figures.drawings if is_sweep else run_drawings
+    drawings = next((kind.drawings for name, kind in
+                     {"sweep.csv": sweep_figures, "life.csv": life_figures}.items()
+                     if (options.results / name).is_file()), run_drawings)
     directory = options.output or options.results / "figures"
     drawn = 0
     try:

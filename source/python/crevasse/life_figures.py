@@ -1,0 +1,35 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+# Copyright (C) 2026 by the Crevasse authors
+
+"""The figures of a life: those of its page, for print."""
+
+from crevasse.life_output import charts_of, read
+from crevasse.plotting import add_legend, name_numbers, pyplot
+
+NAMES = {"a": "crack_length", "da/dN": "growth", "K": "stress_intensity", "C*": "C_star"}
+
+
+def drawings(options):
+    """Figures (file name, figure): a(N) with its band, da/dN over ΔK, K and C* over a."""
+    life, table = read(options.results)
+    for chart in charts_of(table, life):
+        if chart["series"]:
+            yield NAMES[chart["y"].split()[-1]], draw(chart)
+
+
+def draw(chart):
+    figure, axes = pyplot.subplots(figsize=(5.6, 3.6), constrained_layout=True)
+    for k, line in enumerate(chart["series"]):
+        # Where lines coincide, those behind show through.
+        style = {"linewidth": 0.8 if k else 1.6, "linestyle": "--" if k > 1 else "-"}
+        if line.get("loose"):
+            style = {"linestyle": "", "marker": "o", "markersize": 4.5}
+        axes.plot(*zip(*line["points"]), label=line["label"], color=line["colour"], **style)
+    axes.set(xlabel=chart["x"], ylabel=chart["y"],
+             **{f"{axis}scale": "log" for axis in chart["log"]})
+    if "x" in chart["log"]:
+        name_numbers(axes)
+    axes.grid(True, which="major", alpha=0.25, linewidth=0.6)
+    if len(chart["series"]) > 1:
+        add_legend(axes)
+    return figure
