@@ -113,6 +113,52 @@ namespace Crevasse
 
 
 
+  void
+  FrontIntegral::add_lip_point(const FEFaceValues<3> &values,
+                               const unsigned int     q,
+                               const std::vector<types::global_dof_index> &dofs,
+                               LipSums                                    &sums)
+  {
+    const auto              &cell  = values.get_cell();
+    const unsigned int       f     = values.get_face_number();
+    const types::boundary_id id    = cell->face(f)->boundary_id();
+    const Point<3>          &point = values.quadrature_point(q);
+    const auto              &fe    = body.space.finite_element;
+    FrontFrame               frame = region.curve.frame(point);
+    if (frame.X >= 0. || std::abs(frame.Y) > 1e-8 * cell->diameter())
+      return;
+    const double side =
+      std::copysign(1., (cell->center() - point) * frame.inward);
+    frame.Y                  = std::copysign(0., side);
+    const Tensor<1, 3> u     = fields.displacement(frame);
+    const double       share = fields.weight.factor(frame.X)[0] * values.JxW(q);
+    // displacement in outward traction
+    const Tensor<1, 3>    traction = -side * share * u;
+    SymmetricTensor<2, 3> local;
+    for (unsigned int i = 0; i < 3; ++i)
+      local[i][1] = (i == 1 ? 1. : 0.5) * traction[i];
+    const bool is_loaded = body.space.roles.loaded.count(id) > 0;
+    for (const auto &hat : region.hats(frame))
+      {
+        if (is_loaded)
+          loaded.push_back({hat.vertex,
+                            id,
+                            point,
+                            values.normal_vector(q),
+                            hat.value * share *
+                              (u[0] * frame.ahead + u[1] * frame.inward +
+                               u[2] * frame.tangent)});
+        sums.of_stress[hat.vertex] += hat.value * to_mesh(frame, local, 2.);
+        if (fields.mode == CrackMode::opening)
+          for (const unsigned int i : values.dof_indices())
+            if (fe.has_support_on_face(i, f))
+              sums.of_pressure[hat.vertex][dofs[i]] +=
+                hat.value * traction[1] * values.shape_value(i, q);
+      }
+  }
+
+
+
   std::vector<VoigtVector<3>>
   FrontIntegral::integrate_over_lips()
   {
@@ -128,10 +174,10 @@ namespace Crevasse
                          fe,
                          Quadrature<2>(crowded_rule(16)),
                          flags);
-    std::vector<VoigtVector<3>>          of_stress(region.vertices.size());
     std::vector<types::global_dof_index> dofs(fe.n_dofs_per_cell());
-    std::vector<std::map<types::global_dof_index, double>> per_pressure(
-      region.vertices.size());
+    const std::size_t                    n_vertices = region.vertices.size();
+    LipSums lips{std::vector<VoigtVector<3>>(n_vertices),
+                 decltype(LipSums::of_pressure)(n_vertices)};
     for (const auto &cell : owned_cells(space.dof_handler))
       for (const unsigned int f : cell->face_indices())
         {
@@ -142,59 +188,23 @@ namespace Crevasse
           FEFaceValues<3> &values = region.is_at_front(cell) ? fine : usual;
           values.reinit(cell, f);
           cell->get_dof_indices(dofs);
-          const auto id = cell->face(f)->boundary_id();
           for (const unsigned int q : values.quadrature_point_indices())
-            {
-              FrontFrame frame = region.curve.frame(values.quadrature_point(q));
-              if (frame.X >= 0. || std::abs(frame.Y) > 1e-8 * cell->diameter())
-                continue;
-              const double side =
-                std::copysign(1.,
-                              (cell->center() - values.quadrature_point(q)) *
-                                frame.inward);
-              frame.Y              = std::copysign(0., side);
-              const Tensor<1, 3> u = fields.displacement(frame);
-              const double       share =
-                fields.weight.factor(frame.X)[0] * values.JxW(q);
-              // displacement in outward traction
-              const Tensor<1, 3>    traction = -side * share * u;
-              SymmetricTensor<2, 3> local;
-              for (unsigned int i = 0; i < 3; ++i)
-                local[i][1] = (i == 1 ? 1. : 0.5) * traction[i];
-              for (const auto &hat : region.hats(frame))
-                {
-                  if (space.roles.loaded.count(id) > 0)
-                    loaded.push_back(
-                      {hat.vertex,
-                       id,
-                       values.quadrature_point(q),
-                       values.normal_vector(q),
-                       hat.value * share *
-                         (u[0] * frame.ahead + u[1] * frame.inward +
-                          u[2] * frame.tangent)});
-                  of_stress[hat.vertex] +=
-                    hat.value * to_mesh(frame, local, 2.);
-                  if (fields.mode == CrackMode::opening)
-                    for (const unsigned int i : values.dof_indices())
-                      if (fe.has_support_on_face(i, f))
-                        per_pressure[hat.vertex][dofs[i]] +=
-                          hat.value * traction[1] * values.shape_value(i, q);
-                }
-            }
+            add_lip_point(values, q, dofs, lips);
         }
     Vector sums = space.ghosted_vector();
-    for (unsigned int v = 0; v < per_pressure.size(); ++v)
+    for (unsigned int v = 0; v < n_vertices; ++v)
       {
         sums = 0.;
-        for (const auto &[dof, value] : per_pressure[v])
+        for (const auto &[dof, value] : lips.of_pressure[v])
           sums(dof) += value;
         const std::vector<double> factors = body.lip.of_contact_forces(sums);
         for (std::size_t i = 0; i < factors.size(); ++i)
           if (factors[i] != 0.)
             of_contact_forces.emplace_back(v, i, factors[i]);
-        of_stress[v] = sum_of_ranks(of_stress[v], space.communicator());
+        lips.of_stress[v] =
+          sum_of_ranks(lips.of_stress[v], space.communicator());
       }
-    return of_stress;
+    return lips.of_stress;
   }
 
 

@@ -80,6 +80,22 @@ namespace Crevasse
      * ranks bear. */
     std::vector<VoigtVector<3>>
     integrate_over_lips();
+
+    /** By vertex of the front, on this rank: factors of a uniform stress that
+     * the lips bear, and of the pressure that dofs interpolate. */
+    struct LipSums
+    {
+      std::vector<VoigtVector<3>> of_stress;
+      std::vector<std::map<dealii::types::global_dof_index, double>>
+        of_pressure;
+    };
+
+    /** Adds a quadrature point of a lip behind the front. */
+    void
+    add_lip_point(const dealii::FEFaceValues<3>                      &values,
+                  const unsigned int                                  q,
+                  const std::vector<dealii::types::global_dof_index> &dofs,
+                  LipSums                                            &sums);
     /** Corrects the factors so that a uniform free strain contributes nothing,
      * and a uniform stress as much as the lips: quadrature is not exact. */
     void
