@@ -164,10 +164,10 @@ namespace Crevasse
   ImposedDisplacement<dim>::add_strains(
     const Values                  &values,
     const double                   factor,
-    std::vector<VoigtVector<dim>> &all) const
+    std::vector<VoigtVector<dim>> &strains) const
   {
-    for (const auto &[point, node, strain] : strains)
-      all[point] += factor * values[node] * strain;
+    for (const auto &[point, node, strain] : this->strains)
+      strains[point] += factor * values[node] * strain;
   }
 
 

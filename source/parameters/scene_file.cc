@@ -265,8 +265,8 @@ namespace Crevasse
       (each.section == TableParameters::section ? of_tables : others)
         .push_back(std::move(each));
     apply(of_tables, catalogue, prm, problems);
-    for (std::string &file : scene.tables.files)
-      file = find_file(file_name, file);
+    for (std::string &table : scene.tables.files)
+      table = find_file(file_name, table);
     set(TableParameters::section,
         "Files",
         Text::join(scene.tables.files, ", "),
