@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <limits>
 #include <muParser.h>
 #include <regex>
 
@@ -19,8 +20,11 @@ namespace Crevasse
   struct Expression::Parser
   {
     mu::Parser parser;
-    double     x = 0., y = 0., z = 0., t = 0., theta = 0., material = 0.;
-    Tables     tables; ///< or null
+    // Not numbers: parsing must not count as a value that tables see.
+    static constexpr double none = std::numeric_limits<double>::quiet_NaN();
+    double x = none, y = none, z = none, t = none, theta = none,
+           material = none;
+    Tables tables; ///< or null
   };
 
 
@@ -129,8 +133,7 @@ namespace Crevasse
         for (const std::string &variable : Text::split(allowed, ','))
           mu.DefineVar(variable, values.at(variable));
         mu.SetExpr(join_functions(text));
-        // muParser parses only when it evaluates; the value at the origin may
-        // be infinite.
+        // muParser parses only when it evaluates.
         mu.Eval();
         for (const auto &variable : mu.GetUsedVar())
           variables.insert(variable.first);

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Crevasse authors
 
-#include <crevasse/base/problems.h>
+#include <crevasse/base/csv_file.h>
 #include <crevasse/base/text.h>
-#include <crevasse/base/text_file.h>
 #include <crevasse/parameters/growth_table.h>
 
 #include <algorithm>
@@ -22,48 +21,31 @@ namespace Crevasse
 
   GrowthTable::GrowthTable(const std::string &file_name)
   {
-    std::istringstream text(read_text_file(file_name));
-    unsigned int       row    = 0;
-    const auto         demand = [&](const bool fulfilled, const char *why) {
-      if (!fulfilled)
-        throw SceneError(file_name + ", line " + std::to_string(row) + ": " +
-                         why);
-    };
-    bool has_header = false;
-    for (std::string line; std::getline(text, line);)
+    const CsvFile file(file_name);
+    file.demand(file.names == std::vector<std::string>{"Delta_K", "R", "da_dN"},
+                "the columns must be Delta_K, R, da_dN");
+    for (std::size_t k = 0; k < file.n_rows(); ++k)
       {
-        ++row;
-        line = Text::squeeze(line);
-        if (line.empty() || line[0] == '#')
-          continue;
-        if (!has_header)
-          {
-            has_header = true;
-            demand(Text::split(line, ',') ==
-                     std::vector<std::string>{"Delta_K", "R", "da_dN"},
-                   "the columns must be Delta_K,R,da_dN");
-            continue;
-          }
-        const auto cells = Text::to_numbers(line);
-        demand(cells && cells->size() == 3, "there must be three numbers");
-        const double range = (*cells)[0], ratio = (*cells)[1],
-                     growth = (*cells)[2];
+        const double range = file.columns[0][k], ratio = file.columns[1][k],
+                     growth = file.columns[2][k];
         Curve &curve        = curves[ratio];
-        demand(ratio < 1., "R must be less than 1");
-        demand(range > 0. &&
-                 (curve.ranges.empty() || range > curve.ranges.back()),
-               "Delta_K must be positive and ascend at each R");
-        demand(growth > 0. || (growth == 0. && curve.ranges.empty()),
-               "da_dN must be positive; only the first of an R may be 0, at "
-               "the threshold");
+        file.demand(ratio < 1., "R must be less than 1", k);
+        file.demand(range > 0. &&
+                      (curve.ranges.empty() || range > curve.ranges.back()),
+                    "Delta_K must be positive and ascend at each R",
+                    k);
+        file.demand(growth > 0. || (growth == 0. && curve.ranges.empty()),
+                    "da_dN must be positive; only the first of an R may be 0, "
+                    "at the threshold",
+                    k);
         curve.ranges.push_back(range);
         curve.growth.push_back(growth);
       }
-    demand(!curves.empty(), "there are no rows of numbers");
+    file.demand(!curves.empty(), "there are no rows of numbers");
     for (const auto &[R, curve] : curves)
-      if (curve.ranges.size() < 2)
-        throw SceneError(file_name + ": there is one row for R = " +
-                         Text::from_number(R) + "; each R needs at least two");
+      file.demand(curve.ranges.size() > 1,
+                  "there is one row for R = " + Text::from_number(R) +
+                    "; each R needs at least two");
   }
 
 

@@ -362,15 +362,11 @@ namespace Crevasse
     checker.demand(!growth_table.empty(),
                    "Growth table",
                    "must be a file where the growth law is a table");
-    try
-      {
-        if (!growth_table.empty())
-          table = std::make_shared<const GrowthTable>(growth_table);
-      }
-    catch (const std::exception &error)
-      {
-        checker.demand(false, "Growth table", error.what());
-      }
+    if (!growth_table.empty() &&
+        checker.demand_file("Growth table", growth_table))
+      checker.demand_readable("Growth table", [&]() {
+        table = std::make_shared<const GrowthTable>(growth_table);
+      });
   }
 
 

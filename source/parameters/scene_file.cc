@@ -297,6 +297,7 @@ namespace Crevasse
     for (const auto &[name, text] :
          named_materials(scene, catalogue, prm, problems))
       set(MaterialParameters::section, name, text, prm);
+    scene.tables.find_calls(prm);
     return scene;
   }
 

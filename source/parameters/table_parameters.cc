@@ -1,15 +1,20 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Crevasse authors
 
+#include <crevasse/base/csv_file.h>
 #include <crevasse/base/expression.h>
-#include <crevasse/base/text_file.h>
+#include <crevasse/base/summary.h>
+#include <crevasse/base/text.h>
 #include <crevasse/parameters/checker.h>
 #include <crevasse/parameters/table_parameters.h>
 
 #include <deal.II/base/utilities.h>
 
 #include <algorithm>
+#include <boost/algorithm/string/case_conv.hpp>
+#include <boost/algorithm/string/trim.hpp>
 #include <cmath>
+#include <filesystem>
 #include <regex>
 
 namespace Crevasse
@@ -21,146 +26,122 @@ namespace Crevasse
 
 
 
-    /** Reads a table. Errors name the file and the row. */
-    class TableFile
+    /** Whether a comment chooses a monotone cubic. @throw SceneError if it
+     * begins with the word interpolation and chooses nothing that is known. */
+    bool
+    is_monotone_cubic(const CsvFile &file)
     {
-    public:
-      std::vector<std::string>         names;
-      std::vector<std::vector<double>> columns;
-      bool                             is_monotone_cubic = false;
-
-      explicit TableFile(const std::string &file)
-        : file(file)
-      {
-        std::istringstream text(read_text_file(file));
-        for (std::string line; std::getline(text, line);)
+      constexpr auto          any_case = std::regex::icase;
+      static const std::regex word("interpolation\\b.*", any_case);
+      // Spreadsheets write separators of empty cells.
+      static const std::regex setting(
+        "interpolation[ =:]*(linear|(monotone +cubic))[ ,;\t\"]*", any_case);
+      bool result = false;
+      for (const std::string &comment : file.comments)
+        if (const std::string text = Text::shorten(comment);
+            std::regex_match(text, word))
           {
-            ++row;
-            line = dealii::Utilities::trim(line);
-            if (line[0] == '#')
-              read_comment(line);
-            else if (!line.empty() && names.empty())
-              read_names(line);
-            else if (!line.empty())
-              read_numbers(line);
+            std::smatch parts;
+            file.demand(std::regex_match(text, parts, setting),
+                        "the comment \"# " + text +
+                          "\" must be \"# interpolation = linear\" or \"# "
+                          "interpolation = monotone cubic\"");
+            result = parts[2].matched;
           }
-        demand(names.size() > 1 &&
-                 columns[0].size() >= (is_monotone_cubic ? 4 : 2) &&
-                 columns[0].front() < columns[0].back(),
-               "a table has a line with the names of two columns or more, and "
-               "at least two different rows, four for a monotone cubic");
-      }
+      return result;
+    }
 
-      void
-      demand(const bool fulfilled, const std::string &reason) const
-      {
-        if (!fulfilled)
-          throw SceneError(file + ", row " + std::to_string(row) + ": " +
-                           reason);
-      }
 
-    private:
-      const std::string file;
-      std::size_t       row       = 0;
-      char              separator = ',';
 
-      void
-      read_comment(const std::string &line)
-      {
-        // Spreadsheets write separators of empty cells.
-        static const std::regex setting("# *interpolation *=(.*?)[ ,;\\t]*");
-        std::smatch             parts;
-        if (!std::regex_match(line, parts, setting))
-          return;
-        const std::string kind = Text::squeeze(parts[1]);
-        is_monotone_cubic      = kind == "monotone cubic";
-        demand(is_monotone_cubic || kind == "linear",
-               "interpolation = " + kind + " must be linear or monotone cubic");
-      }
+    void
+    check_names(const CsvFile &file)
+    {
+      const std::vector<std::string> &names = file.names;
+      file.demand(
+        !names.empty() &&
+          std::regex_match(names[0], std::regex("t|theta|x|y|z")),
+        "the first column is \"" +
+          (names.empty() ? "" : Text::shorten(names[0])) +
+          "\"; it must be t, theta, x, y or z, on which the other columns "
+          "depend. Commas separate columns");
+      for (auto name = names.begin() + 1; name != names.end(); ++name)
+        {
+          file.demand(
+            std::regex_match(*name, std::regex("[A-Za-z_]\\w{0,60}")),
+            "the name of the column \"" + Text::shorten(*name) +
+              "\" must consist of letters, digits and _; a unit follows in "
+              "brackets, as in force [N]");
+          file.demand(!Expression::is_known_name(*name) &&
+                        std::count(names.begin(), name, *name) == 0,
+                      "formulas or another column have the name of the column "
+                      "\"" +
+                        *name + "\" already; rename it");
+        }
+    }
 
-      void
-      read_names(const std::string &line)
-      {
-        const std::size_t first = line.find_first_of(";\t,");
-        if (first != std::string::npos)
-          separator = line[first];
-        for (const std::string &cell : Text::split(line, separator))
-          // Units follow in brackets.
-          names.push_back(
-            dealii::Utilities::trim(cell.substr(0, cell.find_first_of("[("))));
-        columns.resize(names.size());
-        demand(std::regex_match(names[0], std::regex("t|theta|x|y|z")),
-               "the first column is \"" + Text::shorten(names[0]) +
-                 "\"; it must be t, theta, x, y or z, on which the other "
-                 "columns depend. Commas separate columns");
-        for (auto name = names.begin() + 1; name != names.end(); ++name)
-          {
-            demand(std::regex_match(*name, std::regex("[A-Za-z_]\\w{0,60}")),
-                   "the name of the column \"" + Text::shorten(*name) +
-                     "\" must consist of letters, digits and _; a unit follows "
-                     "in brackets, as in force [N]");
-            demand(!Expression::is_known_name(*name) &&
-                     std::count(names.begin(), name, *name) == 0,
-                   "formulas or another column have the name of the column \"" +
-                     *name + "\" already; rename it");
-          }
-      }
 
-      void
-      read_numbers(const std::string &line)
-      {
-        const std::vector<std::string> cells = Text::split(line, separator);
-        demand(cells.size() == names.size(),
-               "there are " + std::to_string(cells.size()) +
-                 " numbers for the columns " + Text::join(names, ", ") +
-                 "; each needs one, with a decimal point, not a comma");
-        for (std::size_t i = 0; i < cells.size(); ++i)
-          {
-            const auto number = Text::to_number(cells[i]);
-            demand(number.has_value(),
-                   names[i] + " = \"" + Text::shorten(cells[i]) +
-                     "\" must be a number, with a decimal point");
-            columns[i].push_back(*number);
-          }
-        const auto x = columns[0].rbegin();
-        const auto n = columns[0].size();
-        demand((n < 2 || x[0] > x[1] || (x[0] == x[1] && !is_monotone_cubic)) &&
-                 (n < 3 || x[0] > x[2]),
-               names[0] + " = " + cells[0] + " after " +
-                 Text::from_number(x[n < 2 ? 0 : 1]) +
-                 "; rows must ascend, or have the same value twice for a jump, "
-                 "which a monotone cubic does not have");
-      }
-    };
+
+    void
+    check_ascent(const CsvFile &file, const bool can_jump)
+    {
+      const std::string         &name = file.names[0];
+      const std::vector<double> &x    = file.columns[0];
+      for (std::size_t k = 1; k < x.size(); ++k)
+        file.demand((x[k] > x[k - 1] || (can_jump && x[k] == x[k - 1])) &&
+                      (k < 2 || x[k] > x[k - 2]),
+                    name + " = " + Text::from_number(x[k]) + " after " +
+                      Text::from_number(x[k - 1]) + "; rows must ascend" +
+                      (can_jump ? ", or have the same value twice for a jump"
+                                : ", and a monotone cubic has no jumps"),
+                    k);
+      file.demand(
+        file.names.size() > 1 && x.size() >= (can_jump ? 2 : 4) &&
+          x.front() < x.back(),
+        "a table has at least two columns and two rows with different "
+        "values of " +
+          name + ", as a monotone cubic four");
+    }
 
 
 
     /** Adds the columns of a file. */
     void
-    add_table(const std::string   &file,
+    add_table(const std::string   &name,
               TableFunctions      &functions,
               std::vector<double> &step_ends)
     {
-      const TableFile            table(file);
-      const std::vector<double> &x = table.columns[0];
+      const CsvFile file(name);
+      const bool    is_cubic = is_monotone_cubic(file);
+      check_names(file);
+      check_ascent(file, !is_cubic);
+      const std::vector<double> &x = file.columns[0];
       std::vector<double>        marks(x.size());
-      for (std::size_t i = 1; i < table.names.size(); ++i)
-        if (table.names[i] == step_column)
-          marks = table.columns[i];
-        else
-          {
-            const auto [function, is_new] = functions.try_emplace(
-              table.names[i],
-              TableFunction{file, table.names[0], x, table.columns[i], {}});
-            table.demand(is_new,
-                         "the column \"" + table.names[i] + "\" is in " +
-                           function->second.file + " as well; rename one");
-            if (table.is_monotone_cubic)
-              function->second.make_monotone_cubic();
-          }
-      for (std::size_t i = 0; i < x.size() && table.names[0] == "t"; ++i)
-        if (marks[i] != 0. || (i > 0 && x[i] == x[i - 1]))
-          step_ends.push_back(x[i]);
+      for (std::size_t i = 1; i < file.names.size(); ++i)
+        if (file.names[i] == step_column)
+          marks = file.columns[i];
+        else if (const auto [function, is_new] =
+                   functions.try_emplace(file.names[i],
+                                         name,
+                                         file.names[0],
+                                         x,
+                                         file.columns[i],
+                                         is_cubic);
+                 !is_new)
+          file.demand(false,
+                      std::filesystem::equivalent(name, function->second.file)
+                        ? "the file is listed twice"
+                        : "the column \"" + file.names[i] + "\" is in " +
+                            function->second.file + " as well; rename one");
+      for (std::size_t k = 0; k < x.size(); ++k)
+        {
+          file.demand(marks[k] == 0. || marks[k] == 1.,
+                      "step = " + Text::from_number(marks[k]) +
+                        " must be 1 where a time step has to end, otherwise 0",
+                      k);
+          if (file.names[0] == "t" &&
+              (marks[k] == 1. || (k > 0 && x[k] == x[k - 1])))
+            step_ends.push_back(x[k]);
+        }
     }
   } // namespace
 
@@ -200,28 +181,65 @@ namespace Crevasse
 
 
   void
+  TableParameters::find_calls(const dealii::ParameterHandler &prm)
+  {
+    std::ostringstream text;
+    prm.print_parameters(text, dealii::ParameterHandler::ShortJSON);
+    const Summary scene = Summary::parse(text.str()).flatten();
+    // Counts are limited: std::regex is recursive.
+    static const std::regex call(
+      "(\\w{1,60})\\s{0,20}\\(\\s{0,20}(t\\s{0,20}\\))?");
+    for (const auto &[pointer, value] : scene.items())
+      {
+        const std::string formula = value.get<std::string>();
+        for (std::sregex_iterator c(formula.begin(), formula.end(), call), end;
+             c != end;
+             ++c)
+          if (const auto f = functions->find((*c)[1]); f != functions->end())
+            {
+              f->second.is_called = true;
+              if (f->second.is_of_time() && !(*c)[2].matched)
+                warnings.push_back(
+                  "[Tables] Files = " + f->second.file + ": " + f->first +
+                  " has rows of t, but another argument in " +
+                  pointer.substr(1) + " = " + Text::shorten(formula) +
+                  ". Steps do not end at its peaks there; name their instants "
+                  "in [Time integration] Steps");
+            }
+      }
+  }
+
+
+
+  void
   TableParameters::check(const double period, Problems &problems) const
   {
-    constexpr double rounding = 1e-9;
-    const auto       differ = [](const double a, const double b, double size) {
-      return std::abs(a - b) > rounding * size;
-    };
+    std::set<std::string> wrong_files;
     for (const auto &[name, f] : *functions)
-      if (const auto [least, largest] =
-            std::minmax_element(f.y.begin(), f.y.end());
-          f.is_of_time() &&
-          (differ(f.x.front(), 0., period) ||
-           differ(f.x.back(), period, period) ||
-           differ(f.y.front(), f.y.back(), *largest - *least)))
-        problems.add(
-          section,
-          "Files",
-          Text::Message()
-            << f.file << ", last row: t = " << f.x.back() << ", " << name
-            << " = " << f.y.back() << " after t = " << f.x.front() << ", "
-            << name << " = " << f.y.front()
-            << " in the first row; t must go from 0 to [Loads] Period = "
-            << period << ", and " << name
-            << " return to its first value, if need be by a jump at the end");
+      {
+        constexpr double rounding = 1e-9;
+        if (!f.is_of_time())
+          continue;
+        if ((std::abs(f.x.front()) > rounding * period ||
+             std::abs(f.x.back() - period) > rounding * period) &&
+            wrong_files.insert(f.file).second)
+          problems.add(section,
+                       "Files",
+                       Text::Message()
+                         << f.file << ": t goes from "
+                         << Text::from_number(f.x.front()) << " to "
+                         << Text::from_number(f.x.back())
+                         << "; it must go from 0 to [Loads] Period = "
+                         << period);
+        if (std::abs(f.y.front() - f.y.back()) >
+            rounding * (f.largest - f.least))
+          problems.add(section,
+                       "Files",
+                       Text::Message()
+                         << f.file << ": " << name << " begins with "
+                         << f.y.front() << " and ends with " << f.y.back()
+                         << ", but every period is the same; let the last row "
+                            "have the first value, if need be after a jump");
+      }
   }
 } // namespace Crevasse

@@ -495,6 +495,10 @@ CASES = [
          ['no boundary named "body": it is a Surface, but with this Dimension it must '
           "be a Curve"],
          [mesh("edge_crack_4"), "Boundary/Contact=body"], scene=MESH_SCENE),
+    Case("growth_table_in_no_file", 4,
+         [r"\[Crack tip\] Growth table = none.csv: cannot be read: No such file"],
+         ["Crack tip/Crack growth law=table", "Crack tip/Growth table=none.csv",
+          "Crack tip/Stress intensity=true"]),
     Case("name_in_no_file", 4, [r"none\.inp: cannot be read: No such file"],
          ["Geometry/Mesh file=none.inp", "Boundary/Contact=lip"], scene=MESH_SCENE),
     Case("unknown_boundary_name", 2,

@@ -299,7 +299,7 @@ BROKEN = (
     ("Crack growth law", ["--law", "parris"]),
     ("Paris factor", of_law("Paris factor=0")),
     ("must be a file where", ["--law", "table"]),
-    ("line 3: there must be three numbers", [
+    ("row 3: a row needs 3 numbers (Delta_K, R, da_dN), this one has 2", [
         "--law", "table", *of_law("Growth table=gaps.csv")]),
     ("there is one row for R = 0", ["--law", "table", *of_law("Growth table=row.csv")]),
     ("its crack is not known", ["--set", "Geometry/Shape=rectangle"]),

@@ -18,11 +18,13 @@ namespace Crevasse
     static constexpr const char *section = "Tables";
 
     std::vector<std::string> files;
-    /** The columns of the files. */
+    /** The columns of the files, which all formulas share. */
     std::shared_ptr<TableFunctions> functions =
       std::make_shared<TableFunctions>();
     /** Instants at which steps must end: jumps and marked rows. */
     std::vector<double> step_ends;
+    /** Warnings of formulas that call a table over t at other instants. */
+    std::vector<std::string> warnings;
 
     void
     add_parameters(dealii::ParameterHandler &prm);
@@ -32,6 +34,10 @@ namespace Crevasse
      * FileError if they only cannot be read. */
     void
     read(Problems &problems);
+
+    /** Notes which functions the formulas of a scene call. */
+    void
+    find_calls(const dealii::ParameterHandler &prm);
 
     /** Checks that functions of time last a period and return to their first
      * value. */
