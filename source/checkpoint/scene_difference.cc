@@ -104,8 +104,11 @@ namespace Crevasse
     const auto add = [&scene](const std::string &what,
                               const std::string &name) {
       std::error_code not_there;
-      if (!name.empty() && std::filesystem::is_regular_file(name, not_there))
-        scene[checksums_of_files][what] = checksum_of(name);
+      if (name.empty() || !std::filesystem::is_regular_file(name, not_there))
+        return;
+      // Files of one name in different folders: a sum finds a change in each.
+      Summary &sum = scene[checksums_of_files][what];
+      sum = checksum_of(name) + (sum.is_null() ? 0 : sum.get<std::uint32_t>());
     };
     for (const char *pointer : {"/Geometry/Mesh file",
                                 "/Loads/Temperature",
