@@ -99,6 +99,17 @@ namespace Crevasse
 
 
 
+    /** Logs a warning that only the end of a run knows, and adds it to the
+     * summary. */
+    void
+    warn(const std::string &warning, Log &log, Summary &summary)
+    {
+      log.line("  warning: " + warning);
+      summary["warnings"].push_back(warning);
+    }
+
+
+
     /** Summarises what was computed and how: versions, sizes, effects, choices,
      * warnings and counters. Collective. */
     template <int dim>
@@ -126,6 +137,8 @@ namespace Crevasse
                           run.later_warnings.begin(),
                           run.later_warnings.end());
       summary["warnings"] = all_warnings;
+      for (const std::string &warning : table_warnings(run))
+        warn(warning, run.log, summary);
       // Before the observers' summaries, which solve more problems.
       run.evolution.statistics().add_counters(summary);
       summarise_steps(run, summary);
@@ -240,18 +253,20 @@ namespace Crevasse
         observer->summarise(summary);
         observer->finish();
       }
-    summarise_results(*this, summary);
-
     const PeriodicResult &result = state.result;
-    if (result.periods == 0)
-      return;
     if (result.converged && choice.periods_are_iterates() &&
         summary.value("closed_part", Summary()) ==
           Summary{{"wholly", 0.}, {"partly", 0.}})
-      log.line(
-        "  No lip touches in the periodic state. How far it opens depends on "
-        "the way from rest, which this method does not follow; Method = march "
-        "does.");
+      warn(
+        "no lip touches in the periodic state. How far it opens depends on "
+        "the way from rest, which this method does not follow; Method = "
+        "march does",
+        log,
+        summary);
+    summarise_results(*this, summary);
+
+    if (result.periods == 0)
+      return;
     const PeriodicStateParameters &parameters = scene.periodic_state;
     if (body.effects.viscosity.on)
       require_meaning(summary["certificate"]["stress_rounding"],

@@ -160,32 +160,23 @@ namespace Crevasse
 
 
 
-    /** Ranges of a function, and its largest value that steps miss. */
-    std::string
-    describe_table(const std::string   &name,
-                   const TableFunction &table,
-                   const StepList      &steps)
+    /** Logs the ranges of tables that the scene calls, and names others. */
+    void
+    describe_tables(const TableFunctions &tables, Log &log)
     {
-      const auto &[least, largest] =
-        std::minmax_element(table.y.begin(), table.y.end());
-      Text::Message text;
-      text << "  table " << name << '(' << table.quantity
-           << "): " << table.x.size() << " rows from " << table.x.front()
-           << " to " << table.x.back() << ", values from " << *least << " to "
-           << *largest;
-      TableFunction::Miss worst;
-      for (unsigned int k = 0; k < steps.n_steps() && table.is_of_time(); ++k)
-        if (const auto miss =
-              table.missed_between(steps.instant(k),
-                                   steps.just_before(steps.instant(k + 1)));
-            miss.difference > worst.difference)
-          worst = miss;
-      const double     part       = worst.difference / (*largest - *least);
-      constexpr double negligible = 1e-3;
-      return part > negligible ? text << "; steps miss up to "
-                                      << Text::from_number(100. * part, 3)
-                                      << " % of them, at t = " << worst.x
-                               : text;
+      std::vector<std::string> others;
+      for (const auto &[name, table] : tables)
+        if (table.is_called)
+          log.line(Text::Message() << "  table " << name << '('
+                                   << table.quantity << "): " << table.x.size()
+                                   << " rows from " << table.x.front() << " to "
+                                   << table.x.back() << ", values from "
+                                   << table.least << " to " << table.largest);
+        else
+          others.push_back(name);
+      if (!others.empty())
+        log.line("  columns of tables that no formula calls: " +
+                 Text::join(others, ", "));
     }
 
 
@@ -199,7 +190,8 @@ namespace Crevasse
       Text::Message                    text;
       if (time.step_control == StepControlType::adaptive)
         text << "  time: adaptive steps, relative tolerance "
-             << time.relative_tolerance << ", initially at most " << step;
+             << time.relative_tolerance << ", at least " << run.steps.n_steps()
+             << " a period, initially at most " << step;
       else
         text << "  time: " << run.steps.n_steps()
              << " steps a period, the largest " << step;
@@ -270,8 +262,7 @@ namespace Crevasse
     log.line("  boundaries: " + describe_boundaries<dim>(scene));
     for (const RigidMotion &motion : run.body.held_by_contact)
       log.line("  held by contact alone: " + motion.name);
-    for (const auto &[name, table] : *scene.tables.functions)
-      log.line(describe_table(name, table, run.steps));
+    describe_tables(*scene.tables.functions, log);
     if (scene.geometry.shape == Shape::mesh_file)
       log.line("  materials: " +
                describe_materials(scene, run.body.space.mesh()));
@@ -320,6 +311,8 @@ namespace Crevasse
                    Text::from_point(dealii::Point<dim>(*side)));
       }
     for (const std::string &warning : warnings(run))
+      log.line("  warning: " + warning);
+    for (const std::string &warning : table_warnings(run))
       log.line("  warning: " + warning);
   }
 

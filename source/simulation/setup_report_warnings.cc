@@ -69,8 +69,11 @@ namespace Crevasse
   std::vector<std::string>
   warnings(const Run<dim> &run)
   {
-    std::vector<std::string> all   = unused_parameters(run.scene);
-    constexpr double         small = 0.1;
+    std::vector<std::string> all = unused_parameters(run.scene);
+    all.insert(all.end(),
+               run.scene.tables.warnings.begin(),
+               run.scene.tables.warnings.end());
+    constexpr double small = 0.1;
     if (run.magnitudes.largest_thermal_strain > small)
       all.push_back(
         Text::Message()
@@ -137,6 +140,46 @@ namespace Crevasse
 
 
 
-  template decltype(warnings<2>) warnings<2>;
-  template decltype(warnings<3>) warnings<3>;
+  template <int dim>
+  std::vector<std::string>
+  table_warnings(const Run<dim> &run)
+  {
+    const MPI_Comm           communicator = run.body.space.communicator();
+    std::vector<std::string> all;
+    for (const auto &[name, table] : *run.scene.tables.functions)
+      {
+        const std::string   begin = "[Tables] Files = " + table.file + ": ";
+        constexpr double    negligible = 0.01;
+        TableFunction::Miss miss;
+        if (table.is_called && table.is_of_time())
+          miss = run.steps.missed(table);
+        if (miss.difference > negligible)
+          all.push_back(
+            Text::Message()
+            << begin << "steps miss up to "
+            << Text::from_number(100. * miss.difference, 3)
+            << " % of the range of " << name << ", at t = " << miss.x
+            << ". Raise [Time integration] Steps per period, let steps end at "
+               "rows by a column step, or set Step control = adaptive");
+        const double least =
+          dealii::Utilities::MPI::min(table.least_seen, communicator);
+        const double largest =
+          dealii::Utilities::MPI::max(table.largest_seen, communicator);
+        if (table.quantity == "theta" &&
+            (least < table.x.front() || largest > table.x.back()))
+          all.push_back(Text::Message()
+                        << begin << name << " has rows of theta from "
+                        << table.x.front() << " to " << table.x.back()
+                        << ", but is needed from " << least << " to " << largest
+                        << ". Beyond the rows it has its first or last value");
+      }
+    return all;
+  }
+
+
+
+  template decltype(warnings<2>)       warnings<2>;
+  template decltype(warnings<3>)       warnings<3>;
+  template decltype(table_warnings<2>) table_warnings<2>;
+  template decltype(table_warnings<3>) table_warnings<3>;
 } // namespace Crevasse

@@ -70,6 +70,52 @@ namespace Crevasse
 
 
 
+  StepList::StepList(const Scene &scene)
+    : StepList(scene.time_integration,
+               scene.loads.period,
+               scene.output.field_times->instants(scene.loads.period),
+               scene.tables.step_ends)
+  {
+    if (scene.time_integration.step_control != StepControlType::adaptive)
+      return;
+    // Between 80 equal steps a sine differs from a line by 4e-4 of its range,
+    // which the stages see. Peaks above 1 % are never missed.
+    const double allowed =
+      std::min(10. * scene.time_integration.relative_tolerance, 0.01);
+    for (const auto &[name, table] : *scene.tables.functions)
+      if (table.is_called && table.is_of_time())
+        divide_at_rows(table, allowed);
+    fixed = instants;
+  }
+
+
+
+  void
+  StepList::divide_at_rows(const TableFunction &table, const double allowed)
+  {
+    for (unsigned int k = 0; k < n_steps();)
+      if (const auto miss = missed_by_step(k, table);
+          miss.difference > allowed && !contains(instants, miss.x, period()))
+        divide_at(miss.x);
+      else
+        ++k;
+  }
+
+
+
+  TableFunction::Miss
+  StepList::missed(const TableFunction &table) const
+  {
+    TableFunction::Miss worst;
+    for (unsigned int k = 0; k < n_steps(); ++k)
+      if (const auto miss = missed_by_step(k, table);
+          miss.difference > worst.difference)
+        worst = miss;
+    return worst;
+  }
+
+
+
   void
   StepList::set_jumps(const std::vector<double> &new_jumps)
   {
@@ -125,7 +171,4 @@ namespace Crevasse
       instants.begin();
     return k % n_steps();
   }
-
-
-
 } // namespace Crevasse

@@ -7,6 +7,8 @@ import random
 import re
 import statistics
 
+from scipy.interpolate import PchipInterpolator
+
 from crevasse_run import (Results, check, check_below, execute, execute_on, full,
                           overrides, plain, run, run_on)
 
@@ -232,10 +234,140 @@ def test_log():
     file = table("pulse.csv", "t,force", rows)
     status, output, error = execute("--check", "check.prm", *overrides([
         file, "Loads/Traction=0; force(t)", "Time integration/Steps per period=21"]))
-    check(status == 0 and "table force(t): 5 rows from 0 to 600, values from 0 to 10; "
-          "steps miss up to 100 % of them, at t = 300" in output, output + error)
+    check(status == 0 and "table force(t): 5 rows from 0 to 600, values from 0 to 10\n"
+          in output and "steps miss up to 100 % of the range of force, at t = 300"
+          in output, output + error)
     status, output, _ = execute("--check", "check.prm")
     check("  table" not in output, output)
+    file = table("columns.csv", "t,force,pull,push",
+                 [(0., 0., 0., 9.), (1., 9., 1., 3.), (600., 0., 0., 9.)])
+    for load, expected, unexpected in (
+            ("force(t)", "that no formula calls: pull, push\n", "another argument"),
+            ("force(x)", "force has rows of t, but another argument in Loads/Traction = "
+             "0; force(x)", "% of the range of p")):
+        status, output, error = execute("--check", "check.prm", *overrides([
+            file, f"Loads/Traction=0; {load}", "Loads/Body force=0; 0"]))
+        check(status == 0 and expected in output and unexpected not in output,
+              output + error)
+
+
+PEAKS = [(0., 0.), (150., 2.), (290., 2.), (293., 10.), (296., -6.), (299., 2.),
+         (450., -2.), (600., 0.)]
+
+
+def test_peaks():
+    """Adaptive steps end at the peaks of a table, those of ARKODE too, and so do a
+    flight's with 10 000 rows; equal steps that miss peaks end with a warning."""
+    noise = random.Random(3)
+    gusts = [(noise.uniform(30, 570), noise.uniform(.5, 3), noise.uniform(-3, 3))
+             for _ in range(100)]
+    flight = [(.06 * k, 10 * min(1, k / 1000, 10 - k / 1000) + sum(
+        size * max(0, 1 - abs(.06 * k - t) / width) for t, width, size in gusts))
+        for k in range(10000)] + [(600., 0.)]
+    for rows, schemes in ((PEAKS, ("heun", "sdirk2", "arkode explicit", "arkode implicit")),
+                          (flight, ("heun", "arkode explicit"))):
+        file = table("history.csv", "t,theta_metal", rows)
+        exact = [exact_held_bar(rows, t) for t, _ in rows[::1 if rows is PEAKS else 10]]
+        for scheme in schemes:
+            results = run(HELD_BAR, "peaks", [
+                file, f"Time integration/Scheme={scheme}",
+                "Time integration/Step control=adaptive",
+                "Time integration/Relative tolerance=1e-3"])
+            of = results.table("probe_inside.csv")
+            for sign in (-1, 1):
+                missed = max(sign * s for s in exact) - max(sign * s for s in of["s_22"])
+                check_below(missed / max(map(abs, exact)), 1e-3, f"{scheme}: missed of "
+                            f"{len(rows)} rows in {len(of['t'])} steps")
+            check("steps miss" not in str(results.summary["warnings"]), "no warning")
+    results = run(HELD_BAR, "peaks", [table("history.csv", "t,theta_metal", PEAKS)])
+    warnings = [text for text in results.summary["warnings"] if "steps miss" in text]
+    check(re.search("50.1 % of the range of theta_metal, at t = 293", *warnings), warnings)
+    log = (results.directory / "log.txt").read_text()
+    check(log.count(warnings[0]) == 2, log)
+    # A column that no formula calls forces no steps.
+    file = table("history.csv", "t,theta_metal,noise", [
+        (600. * k / 999, 0.01 * min(k, 999 - k), noise.random() if k % 999 else 0.)
+        for k in range(1000)])
+    _, output, error = execute("--check", "peaks.prm", *overrides([
+        file, "Time integration/Step control=adaptive"]))
+    check(re.search("adaptive steps, .* at least 4[0-9] a period", output), output + error)
+    marked = table("history.csv", "t,theta_metal,step", [(*row, 1) for row in PEAKS])
+    check("steps miss" not in str(run(HELD_BAR, "peaks", [marked]).summary["warnings"]),
+          "marked rows")
+
+
+def test_monotone_cubic():
+    """Monotone cubics are SciPy's to rounding: over t those of the rows of many
+    periods, which do not depend on where a period begins."""
+    rows = [(0., 5.), (40., 7.), (100., 6.), (170., -4.), (260., 0.), (330., 0.),
+            (420., 9.), (530., 8.), (600., 5.)]
+    comment = "# interpolation = monotone cubic\n"
+    elastic = ["Material/Viscosity=none", "Time integration/Steps per period=150"]
+
+    def stress(name, *settings):
+        of = run(HELD_BAR, name, [*elastic, *settings]).table("probe_inside.csv")
+        return of["t"], of["s_22"]
+
+    by_period = [(t + 600. * k, value) for k in (-1, 0, 1) for t, value in rows[:-1]]
+    instants, found = stress("cubic", table(
+        "history.csv", comment + "t,theta_metal", rows))
+    expected = PchipInterpolator(*zip(*by_period))(instants)
+    check_below(max(abs(-s / E / ALPHA - e) for s, e in zip(found, expected)) / 9.,
+                1e-12, "SciPy's cubic over t")
+    for begin in (40., 260., 420.):
+        shifted = table("history.csv", comment + "t,theta_metal", [
+            (t - begin, value) for t, value in by_period
+            if begin <= t <= begin + 600.])
+        _, other = stress("shifted", shifted)
+        same = [found[round((t + begin) / 4) % 150] for t in instants]
+        check_below(max(abs(a - b) for a, b in zip(same, other)) / (9. * E * ALPHA),
+                    1e-12, f"begin of the period at t = {begin}")
+    history = table("history.csv", "t,theta_metal", [(0., 0.), (598., 598.), (600., 0.)])
+    for shape in (rows, [(0., 0.), (10., 1.), (500., 900.), (600., 0.)],
+                  [(0., 0.), (300., 1.), (310., 100.), (600., 99.)],
+                  [(0., 0.), (300., 1.), (310., -100.), (600., -101.)]):
+        table("alloy.csv", comment + "theta,alpha", shape)
+        instants, found = stress(
+            "alloy", history.replace("history.csv", "history.csv, alloy.csv"),
+            "Material/Thermal expansion=alpha(theta)")
+        values = PchipInterpolator(*zip(*shape))([min(t, 598.) for t in instants])
+        check_below(max(abs(-s / E - t * e) for t, s, e in zip(
+            instants[:-1], found, values)) / (600 * max(abs(values))), 1e-12,
+            "SciPy's cubic over theta")
+
+
+def test_as_spreadsheets_write():
+    """Quoted cells, the line of separators, empty cells at ends of lines, a byte order
+    mark, CRLF, comments with colons and capitals after the rows: all are one table."""
+    rows = [(0., 0.), (100., 9.), (300., -4.), (450., 2.), (600., 0.)]
+    expected = run(HELD_BAR, "usual", [table(
+        "history.csv", "# interpolation = monotone cubic\nt,theta_metal", rows)])
+    for label, text in (
+            ("quoted", '"# Interpolation: Monotone Cubic",\n"t [s]","theta_metal [K, abs]"\n'
+             + "".join(f'"{t}","{v}"\n' for t, v in rows)),
+            ("Excel's", "\ufeffsep=;\r\nt [s];theta_metal;;\r\n" + "".join(
+                f"{t};{v};;\r\n" for t, v in rows)
+             + ";;;\r\n# INTERPOLATION monotone  cubic;;;\r\n"),
+            ("tabulators", "t (s)\ttheta_metal\t\n" + "".join(
+                f"+{t}\t{v}\t\n" for t, v in rows) + "#interpolation=monotone cubic\n")):
+        results = run(HELD_BAR, "of_spreadsheet", [write("history.csv", text)])
+        check_below(difference(results, expected, ["inside"]), 0. + 1e-15, label)
+
+
+def test_theta_beyond_rows():
+    """A temperature beyond the rows of a table is a warning of the summary."""
+    history = table("history.csv", "t,theta_metal", [(0., 20.), (200., 120.), (600., 20.)])
+    for rows, expected in (([(20., 1e-5), (120., 2e-5)], []),
+                           ([(30., 1e-5), (110., 2e-5)],
+                            ["rows of theta from 30 to 110, but is needed from 20 to 120"])):
+        table("alloy.csv", "theta,alpha", rows)
+        results = run(HELD_BAR, "beyond", [
+            history.replace("history.csv", "history.csv, alloy.csv"),
+            "Loads/Reference temperature=20", "Material/Thermal expansion=alpha(theta)",
+            "Time integration/Steps per period=60"])
+        found = [text for text in results.summary["warnings"] if "rows of theta" in text]
+        check(len(found) == len(expected) and
+              all(sentence in text for sentence, text in zip(expected, found)), found)
 
 
 def test_reference_temperature():
@@ -275,43 +407,49 @@ def test_ranks():
     check_below(difference(results, expected), 1e-9, "two ranks")
     write("saw.csv", "t,force\n0,0\n600,1\n")
     status, _, error = execute_on(2, "one.prm", "--check", *overrides(files))
-    check(status == 2 and error.count("saw.csv, last row") == 1, f"{status}\n{error}")
+    check(status == 2 and error.count("saw.csv: force begins with") == 1, f"{status}\n{error}")
 
 
-SENTENCE = "a table has a line with the names of two columns or more"
+TWO = "a table has at least two columns and two rows with different values of t, as"
+CUBIC = "# interpolation = monotone cubic\nt,force\n"
 WRONG = {
-    "": f"row 0: {SENTENCE}",
-    "t,force\n": f"row 1: {SENTENCE}",
-    "t\n0\n600\n": f"row 3: {SENTENCE}",
-    "t,force\n0,0\n0,1\n": f"row 3: {SENTENCE}",
-    "# interpolation = monotone cubic\nt,force\n0,0\n300,1\n600,0\n": f"row 5: {SENTENCE}",
-    "time,force\n0,0\n": 'row 1: the first column is "time"; it must be t, theta, x, y',
-    "t force\n0 0\n": 'the first column is "t force"; .* Commas separate columns',
-    "\x01\xff,\x02\n": "row 1: the first column is",
-    "t,max force\n": 'row 1: the name of the column "max force" must consist of letters',
-    "t,,force\n": 'row 1: the name of the column "" must consist of letters',
-    "t,sin\n": 'row 1: formulas or another column have the name of the column "sin"',
+    "": 'wrong.csv: the first column is ""; it must be t, theta',
+    "t,force\n": TWO,
+    "t\n0\n600\n": TWO,
+    "t,force\n0,0\n0,1\n": TWO,
+    CUBIC + "0,0\n300,1\n600,0\n": TWO,
+    "time,force\n0,0\n": 'the first column is "time"; it must be t, theta, x, y',
+    "t force\n0\n": 'the first column is "t force"; .* Commas separate columns',
+    "\x01\xff,\x02\n": "the first column is",
+    "t,max force\n": 'the name of the column "max force" must consist of letters',
+    "t,,force\n": 'the name of the column "" must consist of letters',
+    "t,sin\n": 'formulas or another column have the name of the column "sin"',
     "t,theta [K]\n": 'name of the column "theta" already; rename it',
     "t,pi\n": 'name of the column "pi" already; rename it',
     "t,t\n": 'name of the column "t" already; rename it',
-    "t,force,force\n": 'row 1: .* name of the column "force" already',
+    "t,force,force\n": 'name of the column "force" already',
     "t;force\n0;0\n0,5;1\n": r'row 3: t = "0,5" must be a number, with a decimal point',
-    "t,force\n0,0\n0,5,1,0\n": "row 3: there are 4 numbers for the columns t, force; "
-                             "each needs one, with a decimal point, not a comma",
-    "t,force\n0,0\n5\n": "row 3: there are 1 numbers for the columns t, force",
-    "t,force\n0,0\n5,\n": "row 3: there are 1 numbers",
+    't,force\n0,0\n"0,5",1\n': r'row 3: t = "0,5" must be a number, with a decimal point',
+    "t,force\n0,0\n0,5,1,0\n": r"row 3: a row needs 2 numbers \(t, force\), this one has "
+                             "4; numbers have a decimal point, not a comma",
+    "t,force\n0,0\n5\n": "row 3: a row needs 2 numbers .*, this one has 1",
+    "t,force\n0,0\n5,\n": "row 3: a row needs 2 numbers .*, this one has 1",
     "t,force\n0,0\n5,nan\n": 'row 3: force = "nan" must be a number',
     "t,force\n0,0\n1e400,1\n": 'row 3: t = "1e400" must be a number',
     "t,force,step\n0,0,0\n5,1,x\n": 'row 3: step = "x" must be a number',
+    "t,force,step\n0,0,0\n5,1,2\n600,0,0\n": "row 3: step = 2 must be 1 where a time step",
     "# a logger\nt,force\n0,0\n\n5,1\n3,1\n": "row 6: t = 3 after 5; rows must ascend",
     "t,force\n0,0\n5,1\n5,1\n5,2\n": "row 5: t = 5 after 5; .* the same value twice",
-    "# interpolation = spline\nt,force\n": "row 1: interpolation = spline must be linear",
-    "# interpolation = monotone cubic\nt,force\n0,0\n300,1\n300,2\n600,0\n":
-        "row 5: t = 300 after 300; .* which a monotone cubic does not have",
-    "t,force\n0,0\n500,1\n540,0\n": r"last row: t = 540, force = 0 after t = 0, force = 0 "
-                                   r"in the first row; t must go from 0 to \[Loads\] Per",
-    "t,force\n10,0\n600,0\n": "last row: t = 600, force = 0 after t = 10",
-    "t,force\n0,0\n600,1\n": "last row: t = 600, force = 1 after t = 0, force = 0 in",
+    "# interpolation = spline\nt,force\n": 'comment "# interpolation = spline" must be "# int',
+    "# Interpolation of a kind\nt,force\n": "must be .# interpolation = linear. or",
+    CUBIC + "0,0\n300,1\n300,2\n600,0\n":
+        "row 5: t = 300 after 300; .* a monotone cubic has no jumps",
+    "t,force\n0,0\n300,1\n300,2\n600,0\n# interpolation = monotone cubic\n":
+        "row 4: t = 300 after 300; .* a monotone cubic has no jumps",
+    "t,force\n0,0\n500,1\n540,0\n":
+        r"wrong.csv: t goes from 0 to 540; it must go from 0 to \[Loads\] Period = 600",
+    "t,force\n10,0\n600,0\n": "wrong.csv: t goes from 10 to 600",
+    "t,force\n0,0\n600,1\n": "wrong.csv: force begins with 0 and ends with 1, but every",
 }
 
 
@@ -322,7 +460,8 @@ def test_wrong_files():
         file = write("wrong.csv", text)
         status, output, error = execute("--check", "wrong.prm", *overrides([
             file, "Loads/Traction=0; force(t)"]))
-        check(status == 2 and error.count("wrong.csv, ") == 1 and "] Files = " in error
+        check(status == 2 and len(re.findall(r"/wrong\.csv[,:] ", error)) == 1
+              and "] Files = " in error
               and re.search(message, error), f"{text!r}: {status}\n{error}{output}")
         check("cannot be used" not in error, f"{text!r}: the formula\n{error}")
     right = "t,force\n0,0\n300,1\n600,0\n"
@@ -330,6 +469,7 @@ def test_wrong_files():
     write("again.csv", right)
     for files, formula, status, message in (
             ("none.csv", "1", 4, r"\[Tables\] Files = none.csv: cannot be read: No such"),
+            ("right.csv, ./right.csv", "1", 2, "right.csv: the file is listed twice"),
             ("right.csv, again.csv", "1", 2, '"force" is in .*right.csv as well'),
             ("right.csv", "strength(t)", 2, r"Known names: .* the columns of \[Tables\]"),
             ("right.csv", "force", 2, "Unexpected token|Function .* used as"),
@@ -363,6 +503,19 @@ def test_paths_and_resume():
     status, _, error = execute("--check", used)
     check(status == 0, error)
 
+    # Two files of one name, of which the first changes.
+    for folder, column in (("one", "force"), ("two", "pull")):
+        (place / folder).mkdir(exist_ok=True)
+        table(place / folder / "rows.csv", f"t,{column}", rows)
+    words = [scene, "--output", "results/both", *overrides([
+        "Tables/Files=one/rows.csv, two/rows.csv", "Loads/Traction=0; force(t) + pull(t)",
+        "Output/Checkpoint every=1"])]
+    status, _, error = execute(*words)
+    check(status == 0, error)
+    table(place / "one/rows.csv", "t,force", [(0., 0.), (150., 9.), (600., 0.)])
+    status, _, error = execute(*words, "--resume")
+    check(status == 2 and "[Tables] rows.csv: was" in error, f"{status} {error}")
+
 
 @full
 def test_cost():
@@ -386,6 +539,7 @@ def test_cost():
 
 if __name__ == "__main__":
     for test in (test_formula_and_table, test_nodes, test_mean, test_orders, test_steps,
-                 test_log, test_reference_temperature, test_ranks, test_wrong_files,
-                 test_paths_and_resume, test_cost):
+                 test_log, test_peaks, test_monotone_cubic, test_as_spreadsheets_write,
+                 test_theta_beyond_rows, test_reference_temperature, test_ranks,
+                 test_wrong_files, test_paths_and_resume, test_cost):
         test()

@@ -21,6 +21,12 @@ namespace Crevasse
   std::vector<std::string>
   warnings(const Run<dim> &run);
 
+  /** Warnings of tables whose peaks the current steps miss, or whose rows do
+   * not have the temperatures seen so far. Collective. */
+  template <int dim>
+  std::vector<std::string>
+  table_warnings(const Run<dim> &run);
+
   /** Logs effects, sizes, predicted memory and choices. Collective.
    * @throw SceneError if there is not enough memory. */
   template <int dim>

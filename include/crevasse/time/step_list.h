@@ -24,14 +24,15 @@ namespace Crevasse
              const std::vector<double>       &more = {},
              const std::vector<double>       &ends = {});
 
-    /** Creates the steps of a scene. */
-    explicit StepList(const Scene &scene)
-      : StepList(scene.time_integration,
-                 scene.loads.period,
-                 scene.output.field_times->instants(scene.loads.period),
-                 scene.tables.step_ends)
-    {
-    }
+    /** Creates the steps of a scene. Adaptive steps also end at rows of the
+     * tables over t that it calls, so that straight lines between fixed
+     * instants miss little of them. */
+    explicit StepList(const Scene &scene);
+
+    /** Row of a table over t that straight lines between the ends of steps miss
+     * most. */
+    TableFunction::Miss
+    missed(const TableFunction &table) const;
 
     /** Replaces all instants; the first is 0, the last the period. */
     void
@@ -133,6 +134,19 @@ namespace Crevasse
     }
 
   private:
+    /** Divides steps at the rows of a table of which they would miss more than
+     * @p allowed, the worst row first (Douglas and Peucker, Cartographica 10,
+     * 1973). */
+    void
+    divide_at_rows(const TableFunction &table, const double allowed);
+
+    /** Row of a table that the step @p k misses most. */
+    TableFunction::Miss
+    missed_by_step(const unsigned int k, const TableFunction &table) const
+    {
+      return table.missed_between(instant(k), just_before(instant(k + 1)));
+    }
+
     std::vector<double> instants;
     std::vector<double> fixed;
     std::vector<double> jumps;
