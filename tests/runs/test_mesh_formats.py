@@ -6,6 +6,7 @@ formats' manuals."""
 import pathlib
 import re
 import shutil
+import subprocess
 
 import h5py
 import meshio
@@ -203,15 +204,17 @@ def test_sides_of_exodus():
     check(convert("cell.e")[1]["side set 5"][1] == SIDES["z=0"], "number of a side set")
 
 
-def med(path, parts, families, of_nodes=()):
-    """Two unit squares, with groups as MED has them: a cell or node has a family, a
-    family has the names of several groups."""
-    points = numpy.array([(0, 0), (1, 0), (2, 0), (0, 1), (1, 1), (2, 1)], float)
+SQUARES = numpy.array([(0, 0), (1, 0), (2, 0), (0, 1), (1, 1), (2, 1)], float)
+
+
+def med(path, parts, families, of_nodes=(), points=SQUARES):
+    """Cells with groups as MED has them: a cell or node has a family, a family has the
+    names of several groups."""
     with h5py.File(path, "w") as file:
         step = file.create_group("ENS_MAA/Mesh_1/" + 2 * "-0000000000000000001")
         step["NOE/COO"] = points.T.ravel()
         step["NOE/COO"].attrs["NBR"] = len(points)
-        step["NOE/FAM"] = numpy.array([1, 0, 0, 1, 0, 0])
+        step["NOE/FAM"] = numpy.isin(numpy.arange(len(points)), [0, 3]).astype(int)
         for kind, (cells, numbers) in parts.items():
             step[f"MAI/{kind}/NOD"] = numpy.array(cells).T.ravel() + 1
             step[f"MAI/{kind}/NOD"].attrs["NBR"] = len(cells)
@@ -240,6 +243,71 @@ def test_families_of_med():
                     "wall": ("1 face", "(0, 0) to (0, 1)")}, output)
     check_scene("set Clamped = wall\nset Loaded = lip")
     check_scene("set Clamped = below")
+
+
+def test_second_order_of_med():
+    """The order of MED's manual, where the base of a cell is seen from inside: names,
+    and middles on the curves, which come back between the ends of their edges."""
+    def bent(points):  # where corners of the cube stay
+        x, y, z = points.T
+        return numpy.column_stack([x, y + 0.2 * x * (1 - x), z + 0.1 * y * (1 - y)])
+
+    triangle, square = [(0, 1), (1, 2), (2, 0)], [(0, 1), (1, 2), (2, 3), (3, 0)]
+    kinds = {  # corners, edges; base by its kind and number of corners
+        "T10": ([0, 3, 1, 4], triangle + [(0, 3), (1, 3), (2, 3)], ("TR6", 3), "tetra10"),
+        "P15": ([0, 3, 1, 4, 7, 5], triangle + [(a + 3, b + 3) for a, b in triangle]
+                + [(0, 3), (1, 4), (2, 5)], ("TR6", 3), "wedge15"),
+        "H20": ([0, 3, 2, 1, 4, 7, 6, 5], square + [(a + 4, b + 4) for a, b in square]
+                + [(i, i + 4) for i in range(4)], ("QU8", 4), "hexahedron20")}
+    for kind, (corners, edges, (base, n), of_meshio) in kinds.items():
+        points = CUBE[corners]
+        points = bent(numpy.vstack([points] + [points[[*edge]].mean(0) for edge in edges]))
+        sides = [*range(n), *range(len(corners), len(corners) + n)]
+        med("second.med", {kind: ([range(len(points))], [-1]), base: ([sides], [-2])},
+            {-1: ["steel"], -2: ["base"]}, points=points)
+        output, names = convert("second.med")
+        check(names == {"steel": ("1 cell", names["steel"][1]),
+                        "base": ("1 face", "(0, 0, 0) to (1, 1, 0)")}, output)
+        meshio._mesh.topological_dimension["wedge15"] = 3  # which meshio 5.0 forgets
+        mesh = meshio.read("converted.msh")
+        cell = mesh.points[mesh.cells_dict[of_meshio][0]]
+        middles = bent(numpy.array([cell[[*edge]].mean(0) for edge in edges]))
+        check(abs(cell[len(corners):] - middles).max() < 1e-14, f"{kind}: {cell}")
+        log = check_scene("set Clamped = base", 3)
+        check("(steel)" in log and "clamped" in log, log)
+
+
+def test_partitions():
+    """Of Gmsh: parts have their boundaries, and keep the names of what they divide."""
+    if not shutil.which("gmsh"):
+        print("there is no gmsh")
+        return
+    pathlib.Path("parts.geo").write_text("""
+Point(1) = {0, 0, 0, 0.3}; Point(2) = {1, 0, 0, 0.3}; Point(3) = {1, 1, 0, 0.3};
+Line(1) = {1, 2}; Line(2) = {2, 3}; Line(3) = {3, 1};
+Curve Loop(1) = {1, 2, 3}; Plane Surface(1) = {1};
+Physical Curve("bottom", 5) = {1}; Physical Curve("right", 6) = {2};
+Physical Surface("body", 7) = {1};
+""")
+    logs = []
+    for topology in (None, 0, 1):
+        options = [] if topology is None else [
+            "-part", "3", "-setnumber", "Mesh.PartitionCreateTopology", str(topology),
+            "-save_all"]
+        made = subprocess.run(
+            ["gmsh", "-2", "parts.geo", "-format", "msh41", *options, "-o",
+             "converted.msh"], capture_output=True, text=True, timeout=600)
+        text = pathlib.Path("converted.msh").read_text()
+        check(made.returncode == 0 and ("$PartitionedEntities" in text)
+              == (topology is not None), made.stdout + made.stderr)
+        logs.append(check_scene("set Clamped = bottom\nset Loaded = right",
+                                materials='set Young modulus = if(material == "body", 2, 1)'))
+        pathlib.Path("picture.html").unlink(missing_ok=True)
+        check(execute("--check", "converted.prm", "--picture", "picture.html")[0] == 0
+              and re.search(r"<td>bottom</td>.*?clamped</td><td [^>]*>8</td>",
+                            pathlib.Path("picture.html").read_text(), re.DOTALL),
+              "faces of the bottom")
+    check(logs[0] == logs[1] == logs[2] and "(body)" in logs[0], "\n".join(logs))
 
 
 def test_numbers_of_vtk():
@@ -374,6 +442,8 @@ test_faces_of_abaqus()
 test_generated_nodes()
 test_sides_of_exodus()
 test_families_of_med()
+test_second_order_of_med()
+test_partitions()
 test_numbers_of_vtk()
 test_unv_of_second_order()
 test_conversion_before_a_run()
