@@ -196,13 +196,14 @@ doc/getting_started.md tells more.
                                 "\" must be the first argument.",
                               CLI::ExitCodes::ExtrasError);
       const std::string &picture = command.picture;
-      if (!picture.empty() && !command.check)
+      const bool         draws   = !app.get_option("--picture")->empty();
+      if (draws && !command.check)
         throw CLI::ValidationError(
           "--picture",
           "it shows a scene before a run: write crevasse --check SCENE.prm "
           "--picture " +
             picture + ".");
-      if (!picture.empty() && Text::suffix(picture) != ".html")
+      if (draws && Text::suffix(picture) != ".html")
         throw CLI::ValidationError("--picture",
                                    "\"" + picture +
                                      "\" must be a file name that ends in "

@@ -23,8 +23,10 @@ namespace Crevasse
     const std::string sign =
       "<meta name=\"generator\" content=\"crevasse "
       "--picture\">"; // of templates/picture.html
+    // A pipe would be read forever.
     if (std::filesystem::exists(command.picture, unknown) &&
-        read_text_file(command.picture).find(sign) == std::string::npos)
+        (!std::filesystem::is_regular_file(command.picture, unknown) ||
+         read_text_file(command.picture).find(sign) == std::string::npos))
       throw FileError(
         command.picture +
         " is not a page of --picture, and is not replaced. Choose "

@@ -114,19 +114,20 @@ namespace Crevasse
 
 
     /** Checks a scene, and draws its mesh if that is asked for; after a mistake
-     * the mesh before refinement by solutions, if there is one. */
+     * the mesh before refinement by solutions, if there is one.
+     * @return exit status of the scene's mistake, or else of the page's. */
     template <int dim>
-    void
+    int
     check_scene(const Command      &command,
                 const Scene        &scene,
                 const OutputChoice &output,
                 Checkpoints        &checkpoints,
+                const MPI_Comm      for_failures,
                 Log                &log)
     {
-      require_place_of_picture(command, MPI_COMM_WORLD);
       std::shared_ptr<const Mesh<dim>> mesh;
-      std::exception_ptr               mistake;
-      std::string                      words;
+      std::string                      mistake;
+      int                              status = done;
       try
         {
           const AdaptiveRun<dim> run(scene, MPI_COMM_WORLD, log, checkpoints);
@@ -138,34 +139,51 @@ namespace Crevasse
                        "computed, for the mesh."
                      : "The scene is in order; nothing was computed.");
         }
+      catch (const StoppedOnRequest &)
+        {
+          throw;
+        }
       catch (const std::exception &error)
         {
-          if (command.picture.empty())
-            throw;
-          mistake = std::current_exception();
-          words   = error.what();
+          mistake = error.what();
+          status  = report_failure(error, for_failures, log);
+        }
+      if (command.picture.empty())
+        return status;
+      try
+        {
+          require_place_of_picture(command, MPI_COMM_WORLD);
           if (mesh == nullptr)
             mesh = make_scene_mesh<dim>(scene, MPI_COMM_WORLD);
-        }
-      if (!command.picture.empty())
-        {
           Summary picture    = mesh_picture(scene, *mesh);
-          picture["mistake"] = words;
+          picture["mistake"] = mistake;
           draw_picture(command, picture, log);
         }
-      if (mistake)
-        std::rethrow_exception(mistake);
+      catch (const std::exception &error)
+        {
+          if (mistake == error.what()) // without a mesh there is no page
+            log.error("crevasse: The picture " + command.picture +
+                      " was not made.");
+          else
+            {
+              const int of_page = report_failure(error, for_failures, log);
+              status            = status == done ? of_page : status;
+            }
+        }
+      return status;
     }
 
 
 
+    /** @return exit status. */
     template <int dim>
-    void
+    int
     run_scene(const Command     &command,
               const Scene       &scene,
               const std::string &used,
               const Summary     &parameters,
               StopRequests      &requests,
+              const MPI_Comm     for_failures,
               Log               &log)
     {
       const MPI_Comm     communicator = MPI_COMM_WORLD;
@@ -176,11 +194,12 @@ namespace Crevasse
                               parameters,
                               scene.output.checkpoint_every);
       if (command.check)
-        return check_scene<dim>(command, scene, output, checkpoints, log);
+        return check_scene<dim>(
+          command, scene, output, checkpoints, for_failures, log);
       if (command.resume)
         {
           if (has_finished(output, scene, parameters, communicator, log))
-            return;
+            return done;
           checkpoints.resume(communicator);
         }
       else
@@ -201,6 +220,7 @@ namespace Crevasse
       log.line("  results in " + output.directory);
       log.line("  to see them in a browser: crevasse report " +
                output.directory);
+      return done;
     }
 
 
@@ -348,13 +368,14 @@ namespace Crevasse
         const Scene              scene = read_scene(command, prm);
         log.line("Crevasse " CREVASSE_VERSION ": " +
                  std::filesystem::path(command.scene_file).filename().string());
-        (scene.dimension == 2 ? run_scene<2>
-                              : run_scene<3>)(command,
-                                              scene,
-                                              used_parameters(prm),
-                                              scene_as_json(prm),
-                                              requests,
-                                              log);
+        status = (scene.dimension == 2 ? run_scene<2>
+                                       : run_scene<3>)(command,
+                                                       scene,
+                                                       used_parameters(prm),
+                                                       scene_as_json(prm),
+                                                       requests,
+                                                       for_failures,
+                                                       log);
       }
     catch (const StoppedOnRequest &request)
       {

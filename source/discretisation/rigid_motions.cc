@@ -346,8 +346,11 @@ namespace Crevasse
       throw NumericalError(
         "Unconstrained rigid-body motions:\n  " +
         Text::join(names_of(sliding, parts), "\n  ") +
-        "\nContact does not stop them: they open or close a lip by less than a "
-        "thousandth of their size. Hold each part that moves by [Boundary] "
+        (space.roles.contact.empty() && space.roles.crack.empty()
+           ? "\n"
+           : "\nContact does not stop them: they open or close a lip by less "
+             "than a thousandth of their size. ") +
+        "Hold each part that moves by [Boundary] "
         "Clamped, Symmetry or Fixed points (vertices of the mesh): " +
         (dim == 2 ? "\"x, y; X, y: 2\""
                   : "\"x, y, z; X, y, z: 2, 3; x, Y, z: 3\"") +

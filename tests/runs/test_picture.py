@@ -6,6 +6,7 @@ import collections
 import html
 import json
 import math
+import os
 import pathlib
 import re
 import zlib
@@ -239,9 +240,31 @@ def mistake():
           and boundaries(page)["lip"].role == "open crack", "the page of a mistake")
     sentence = output.split("crevasse: ")[-1].strip().splitlines()[0]
     check(html.escape(sentence[:60]) in text, f"{sentence}")
+    check("Contact does not stop" not in output, "there is no contact")
     page, _ = picture(PRM / "raous1980.prm", "mistake", ["Boundary/Loaded=17"],
                       status=2)
-    check("no face of the surface" in page.read_text(), "an id without faces")
+    check("no face of the surface</td>" in page.read_text(), "an id without faces")
+    page, _ = picture(PRM / "inclined_crack.prm", "mistake", [
+        *UNREFINED, "Boundary/Crack=none", "Crack tip/Stress intensity=false"])
+    check(boundaries(page)["crack"].role == "no role"
+          and "it is no crack unless" in page.read_text(), "a group inside the body")
+    # The scene's mistake comes first, and then that of the page.
+    pathlib.Path("folder.html").mkdir(exist_ok=True)
+    wrong = ["Boundary/Loaded=17"]
+    for name, message in (("folder.html", "is not a page of --picture"),
+                          ("none/new.html", "The picture none/new.html was not made")):
+        status, _, error = execute("--check", PRM / "raous1980.prm", "--picture", name,
+                                   *overrides(wrong))
+        check(status == 2 and 0 <= error.find("[Boundary] Loaded") < error.find(message),
+              f"{name}: {status}\n{error}")
+    pathlib.Path("folder.html").rmdir()
+    pathlib.Path("empty.msh").write_text("nothing")
+    status, _, error = execute(
+        "--check", PRM / "inclined_crack.prm", "--picture", "new.html", *overrides([
+            f"Geometry/Mesh file={pathlib.Path('empty.msh').resolve()}",
+            "Boundary/Clamped=1", "Boundary/Loaded=2", "Boundary/Crack=3"]))
+    check(status == 2 and error.count("MeshFormat") == 1
+          and error.endswith("The picture new.html was not made.\n"), error)
 
 
 def refused():
@@ -249,12 +272,17 @@ def refused():
     scene = PRM / "raous1980.prm"
     other = pathlib.Path("other.html")
     other.write_text("<p>mine")
+    pipe = pathlib.Path("pipe.html")
+    os.mkfifo(pipe)
     before = sorted(pathlib.Path().rglob("*"))
     for status, words, message in (
             (2, [scene, "--picture", "new.html"], "shows a scene before a run"),
             (2, ["--check", scene, "--picture", "new.png"],
              "must be a file name that ends in .html"),
+            (2, ["--check", scene, "--picture", ""],
+             "must be a file name that ends in .html"),
             (4, ["--check", scene, "--picture", other], "is not a page of --picture"),
+            (4, ["--check", scene, "--picture", pipe], "is not a page of --picture"),
             (4, ["--check", scene, "--picture", "none/new.html"],
              "picture none/new.html was not made")):
         code, _, error = execute(*words)

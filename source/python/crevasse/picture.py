@@ -130,7 +130,8 @@ def describe_boundaries(boundaries, roles, is_axisymmetric):
         own = [role for role, ids in roles.items() if boundary["id"] in ids]
         on_axis = is_axisymmetric and boundary["n"] and boundary["box"][1][0] == 0
         boundary["kind"] = kind = own[0] if own else "axis" if on_axis else "free"
-        boundary["role"] = " and ".join(own).lower() or kind
+        boundary["role"] = (" and ".join(own).lower() or
+                            (kind if boundary["n"] else "no role"))
         boundary["label"] = boundary["name"] or f"boundary {boundary['id']}"
         boundary["colour"] = COLOURS[kind][count[kind] % 3]
         count[kind] += 1
