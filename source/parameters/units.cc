@@ -12,17 +12,24 @@ namespace Crevasse
   {
     using Known = std::vector<Units::Unit>;
 
-    // Of K and °C only differences have a size: 1 of either is 1 K.
+    // Of K and °C only differences have a size: 1 of either is 1 K. Units of
+    // one size are spellings.
     const Known lengths      = {{"m", 1.},
                                 {"cm", 1e-2},
                                 {"mm", 1e-3},
                                 {"um", 1e-6},
+                                {"µm", 1e-6},
                                 {"in", 0.0254}};
     const Known stresses     = {{"Pa", 1.},
                                 {"kPa", 1e3},
                                 {"MPa", 1e6},
+                                {"N/mm2", 1e6},
+                                {"N/mm^2", 1e6},
                                 {"GPa", 1e9},
                                 {"kgf/mm2", 9.80665e6},
+                                {"kgf/mm^2", 9.80665e6},
+                                {"kg/mm2", 9.80665e6},
+                                {"kg/mm^2", 9.80665e6},
                                 {"psi", 6894.757},
                                 {"ksi", 6894757.}};
     const Known times        = {{"s", 1.},
@@ -30,7 +37,13 @@ namespace Crevasse
                                 {"h", 3600.},
                                 {"d", 86400.},
                                 {"a", 31557600.}};
-    const Known temperatures = {{"K", 1.}, {"C", 1.}, {"F", 5. / 9.}};
+    const Known temperatures = {{"K", 1.},
+                                {"C", 1.},
+                                {"degC", 1.},
+                                {"°C", 1.},
+                                {"F", 5. / 9.},
+                                {"degF", 5. / 9.},
+                                {"°F", 5. / 9.}};
 
     std::string
     names_of(const Known &known)
@@ -118,7 +131,7 @@ namespace Crevasse
 
   std::vector<std::string>
   Units::doubts(const double diameter,
-                const double stiffness,
+                const double young_modulus,
                 const double period) const
   {
     std::vector<std::string> all;
@@ -136,7 +149,7 @@ namespace Crevasse
     // From gels to diamond; from a grain to a mountain; to a geological age.
     if (are_known())
       {
-        doubt("the stiffness reaches", stiffness, stress, 1e3, 5e12);
+        doubt("the Young modulus reaches", young_modulus, stress, 1e3, 5e12);
         doubt("the body has a diameter of", diameter, length, 1e-6, 1e4);
         doubt("the period is", period, time, 1e-6, 3e13);
       }

@@ -3,6 +3,7 @@
 
 #include <crevasse/base/text.h>
 #include <crevasse/discretisation/rigid_modes.h>
+#include <crevasse/material/voigt_matrix.h>
 #include <crevasse/model/largest_load.h>
 #include <crevasse/parameters/automatic.h>
 #include <crevasse/parameters/effects.h>
@@ -49,15 +50,16 @@ namespace Crevasse
       const Units units(run.scene.units);
       if (!units.are_known())
         return;
-      double     stiffness = 0.;
-      const auto material  = run.body.material.at(0.);
+      double     modulus  = 0.;
+      const auto material = run.body.material.at(0.);
       for (const VoigtMatrix<dim> &K : material.stiffness->distinct())
-        stiffness = std::max(stiffness, K.norm());
-      stiffness =
-        dealii::Utilities::MPI::max(stiffness, run.body.space.communicator());
+        for (unsigned int d = 0; d < dim; ++d)
+          modulus = std::max(modulus, 1. / inverse<dim>(K)[d][d]);
+      modulus =
+        dealii::Utilities::MPI::max(modulus, run.body.space.communicator());
       for (const std::string &doubt :
            units.doubts(RigidParts<dim>(run.body.space.mesh()).size(),
-                        stiffness,
+                        modulus,
                         run.steps.period()))
         all.push_back(doubt);
     }

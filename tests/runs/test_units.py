@@ -37,9 +37,11 @@ def test_units():
 
 def test_doubts():
     """Sizes that no solid has are warned of; names that are none are refused."""
-    for units, modulus, words in (("m, Pa, s, K", 200, "the stiffness reaches"),
-                                  ("m, GPa, s, K", 13000, "the stiffness reaches"),
-                                  ("mm, MPa, a, K", 200, "")):
+    for units, modulus, words in (
+            ("m, Pa, s, K", 200, "the Young modulus reaches 200 Pa"),
+            ("m, GPa, s, K", 13000, "the Young modulus reaches 1.3e+04 GPa"),
+            ("mm, N/mm^2, a, °C", 200, ""), ("µm, kg/mm2, d, degF", 200, ""),
+            ("mm, MPa, a, K", 200, "")):
         log = execute("--check", BODY, *overrides([
             f"Units={units}", f"Material/Young modulus={modulus}"]))[1]
         check((words in log and "Is it in these units?" in log) if words

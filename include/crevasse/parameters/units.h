@@ -46,11 +46,11 @@ namespace Crevasse
     /** Sentences about sizes that no solid has in these units.
      *
      * @param diameter of the body
-     * @param stiffness largest component
+     * @param young_modulus the largest, in any direction
      * @param period of the loads */
     std::vector<std::string>
     doubts(const double diameter,
-           const double stiffness,
+           const double young_modulus,
            const double period) const;
 
     /** MPa sqrt(m) in a unit of stress intensity. */

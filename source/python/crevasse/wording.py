@@ -13,8 +13,7 @@ SUPERSCRIPTS = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
 
 
 FORCES = {("mm", "MPa"): "N", ("m", "Pa"): "N", ("m", "kPa"): "kN", ("m", "MPa"): "MN",
-          ("mm", "GPa"): "kN", ("mm", "kgf/mm2"): "kgf", ("in", "psi"): "lbf",
-          ("in", "ksi"): "kip"}
+          ("mm", "GPa"): "kN", ("in", "psi"): "lbf", ("in", "ksi"): "kip"}
 
 
 def in_units(label, units):
@@ -24,8 +23,10 @@ def in_units(label, units):
     if len(names) != 4:
         return label
     length, stress, time, _ = names
+    over_area = re.fullmatch(rf"(\w+)/{length}\^?2", stress)  # kgf/mm2
     words = {"length": length, "stress": stress, "time": time,
-             "force": FORCES.get((length, stress), f"{stress} {length}²")}
+             "force": over_area[1] if over_area else
+             FORCES.get((length, stress), f"{stress} {length}²")}
 
     def named(match):
         return re.sub("length|stress|time|force", lambda word: words[word[0]], match[0])
