@@ -47,6 +47,7 @@ namespace Crevasse
     double
     adaptive_mean(const Function         &f,
                   const std::set<double> &sections,
+                  const double            period,
                   const double            rounding)
     {
       constexpr std::size_t most_parts = 200;
@@ -65,7 +66,7 @@ namespace Crevasse
           for (; !parts.empty(); parts.pop())
             sum += parts.top().integral;
         }
-      return sum / *sections.rbegin();
+      return sum / period;
     }
   } // namespace
 
@@ -113,8 +114,12 @@ namespace Crevasse
     const double part = kinks.empty() ? 1. / coarsest : 4.;
     for (unsigned int k = 0; k <= coarsest; ++k) // fewer may miss a pulse
       kinks.insert(period * k / coarsest);
+    // Rounding may place the last row of a table beyond the period.
+    kinks.erase(kinks.begin(), kinks.lower_bound(0.));
+    kinks.erase(kinks.upper_bound(period), kinks.end());
     return adaptive_mean(f,
                          kinks,
+                         period,
                          part * std::numeric_limits<double>::epsilon() *
                            largest * period);
   }
