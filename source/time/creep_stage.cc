@@ -100,7 +100,7 @@ namespace Crevasse
         try
           {
             const VoigtVector<dim> stress =
-              law[point].relaxed_stress(strain - known.thermal(offset),
+              law[point].relaxed_stress(strain - known.free_strain(offset),
                                         known.viscous(offset),
                                         k,
                                         stage.log_kappa);

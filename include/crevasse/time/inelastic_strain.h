@@ -8,7 +8,7 @@
 
 namespace Crevasse
 {
-  /** Viscous and thermal strains at the quadrature points. */
+  /** Viscous and free strains at the quadrature points. */
   template <int dim>
   class InelasticStrain
   {
@@ -42,10 +42,10 @@ namespace Crevasse
                              : Field::get(r, place) + Field::get(*base, place);
     }
 
-    /** Strain without stress besides creep: χθ, or less by what displacements
-     * impose. */
+    /** Strain without stress besides creep: χθ − ε(q), where q are the imposed
+     * displacements. */
     VoigtVector<dim>
-    thermal(const std::size_t offset) const
+    free_strain(const std::size_t offset) const
     {
       return material.free_strain == nullptr
                ? VoigtVector<dim>()
@@ -61,11 +61,11 @@ namespace Crevasse
                               : state;
     }
 
-    /** Inelastic strain Σ wᵢ rᵢ + χθ. */
+    /** Inelastic strain Σ wᵢ rᵢ + χθ − ε(q). */
     VoigtVector<dim>
     operator()(const std::size_t offset) const
     {
-      VoigtVector<dim> strain = thermal(offset);
+      VoigtVector<dim> strain = free_strain(offset);
       for (unsigned int i = 0; i < n_branches; ++i)
         strain += material.fractions[i] * branch(offset, i);
       return strain;
