@@ -25,6 +25,9 @@ OFF = {
     "viscosity factor": ["Material/Viscosity time factor=1"],
     "body force": ["Loads/Body force=0; 0"],
     "secular flow": ["Periodic state/Secular split=off"],
+    "displaced boundary": ["Boundary/Displaced=none"],
+    "open crack": ["Boundary/Open crack=none"],
+    "pressure": ["Loads/Pressure=0"],
 }
 ON = {
     "thermal strain": ["Material/Thermal expansion=1e-5",
