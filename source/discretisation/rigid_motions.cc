@@ -306,10 +306,9 @@ namespace Crevasse
       const BoundaryRoles     &roles = space.roles;
       std::vector<std::string> ids;
       for (const types::boundary_id id : space.mesh().get_boundary_ids())
-        if (roles.clamped.count(id) + roles.displaced.count(id) +
-                roles.symmetry.count(id) + roles.loaded.count(id) ==
-              0 &&
-            !roles.is_lip(id))
+        if (!roles.is_lip(id) &&
+            !(roles.clamped.count(id) || roles.displaced.count(id) ||
+              roles.symmetry.count(id) || roles.loaded.count(id)))
           ids.push_back(std::to_string(id));
       return ids.empty() ? ""
                          : " Boundary ids of the mesh that have no role: " +
@@ -338,8 +337,7 @@ namespace Crevasse
     const auto            free  = kernel(gram, parts);
     if (free.empty())
       return {};
-    // A motion must open lips by a thousandth of its size; find_and_lock()
-    // takes a millionth.
+    // Of the size of a motion; find_and_lock() takes a millionth.
     constexpr double steep = 1e-3;
     gram.add(steep * steep, opening_gram_matrix(space, parts));
     if (const auto sliding = kernel(gram, parts); !sliding.empty())

@@ -100,7 +100,7 @@ namespace Crevasse
         try
           {
             const VoigtVector<dim> stress =
-              law[point].relaxed_stress(strain - known.free_strain(offset),
+              law[point].relaxed_stress(strain - known.free(offset),
                                         known.viscous(offset),
                                         k,
                                         stage.log_kappa);

@@ -142,10 +142,9 @@ namespace Crevasse
     strain_operator.for_each_strain(
       last.displacement,
       [&](const std::size_t offset, const VoigtVector<dim> &strain) {
-        const std::size_t      point = offset / Field::n_components;
-        const VoigtVector<dim> mechanical =
-          strain - inelastic.free_strain(offset);
-        VoigtVector<dim> sum;
+        const std::size_t      point      = offset / Field::n_components;
+        const VoigtVector<dim> mechanical = strain - inelastic.free(offset);
+        VoigtVector<dim>       sum;
         if (material.spring != 0.)
           sum = material.spring * ((*material.stiffness)[point] * mechanical);
         for (unsigned int i = 0; i < inelastic.n_branches; ++i)
@@ -209,9 +208,8 @@ namespace Crevasse
     std::optional<Stopwatch> watch(std::in_place, "strain sweeps");
     loads.evaluate(t, loading);
     strain_operator.add_transpose(loading, [&](const std::size_t offset) {
-      const std::size_t point = offset / inelastic.n;
-      VoigtVector<dim>  stress =
-        moduli.sum[point] * inelastic.free_strain(offset);
+      const std::size_t point  = offset / inelastic.n;
+      VoigtVector<dim>  stress = moduli.sum[point] * inelastic.free(offset);
       for (unsigned int i = 0; i < inelastic.n_branches; ++i)
         stress += moduli.branches[i][point] *
                   known_strain(inelastic, inelastic.place(offset, i), c);

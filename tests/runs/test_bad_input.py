@@ -614,7 +614,7 @@ CASES = [
          scene=MESH_SCENE),
     Case("free_rotation", 3,
          [r"Unconstrained rigid-body motions:\n  rotation in the plane x1-x2 about \(0\.5, 0\)\n"
-          "Contact"],
+          "Hold each part"],
          ["Boundary/Symmetry=none", "Boundary/Contact=none",
           "Boundary/Fixed points=0.5, 0"]),
     Case("free_to_fly", 3,

@@ -45,7 +45,7 @@ namespace Crevasse
     /** Strain without stress besides creep: χθ − ε(q), where q are the imposed
      * displacements. */
     VoigtVector<dim>
-    free_strain(const std::size_t offset) const
+    free(const std::size_t offset) const
     {
       return material.free_strain == nullptr
                ? VoigtVector<dim>()
@@ -65,7 +65,7 @@ namespace Crevasse
     VoigtVector<dim>
     operator()(const std::size_t offset) const
     {
-      VoigtVector<dim> strain = free_strain(offset);
+      VoigtVector<dim> strain = free(offset);
       for (unsigned int i = 0; i < n_branches; ++i)
         strain += material.fractions[i] * branch(offset, i);
       return strain;
