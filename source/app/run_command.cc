@@ -178,14 +178,15 @@ namespace Crevasse
     /** @return exit status. */
     template <int dim>
     int
-    run_scene(const Command     &command,
-              const Scene       &scene,
-              const std::string &used,
-              const Summary     &parameters,
-              StopRequests      &requests,
-              const MPI_Comm     for_failures,
-              Log               &log)
+    run_scene(const Command            &command,
+              const Scene              &scene,
+              dealii::ParameterHandler &prm,
+              StopRequests             &requests,
+              const MPI_Comm            for_failures,
+              Log                      &log)
     {
+      const Summary      parameters   = scene_as_json(prm);
+      const std::string  used         = used_parameters(prm);
       const MPI_Comm     communicator = MPI_COMM_WORLD;
       const OutputChoice output(command, scene);
       Checkpoints        checkpoints(requests,
@@ -368,14 +369,10 @@ namespace Crevasse
         const Scene              scene = read_scene(command, prm);
         log.line("Crevasse " CREVASSE_VERSION ": " +
                  std::filesystem::path(command.scene_file).filename().string());
-        status = (scene.dimension == 2 ? run_scene<2>
-                                       : run_scene<3>)(command,
-                                                       scene,
-                                                       used_parameters(prm),
-                                                       scene_as_json(prm),
-                                                       requests,
-                                                       for_failures,
-                                                       log);
+        status =
+          (scene.dimension == 2
+             ? run_scene<2>
+             : run_scene<3>)(command, scene, prm, requests, for_failures, log);
       }
     catch (const StoppedOnRequest &request)
       {

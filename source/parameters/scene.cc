@@ -358,7 +358,7 @@ namespace Crevasse
   void
   Scene::check(Problems &problems) const
   {
-    Units(units, &problems);
+    const Units of_scene(units, &problems);
     geometry.check(problems);
     boundary.check(problems);
     material.check(problems);
