@@ -268,7 +268,7 @@ namespace Crevasse
                describe_materials(scene, run.body.space.mesh()));
     for (const Effects::Effect &effect : run.active_effects())
       if (effect.on || log.is_verbose)
-        log.line(Text::format("  %-19s%-4s(%s)",
+        log.line(Text::format("  %-20s %-4s(%s)",
                               effect.name.c_str(),
                               effect.on ? "on" : "off",
                               Text::shorten(effect.why).c_str()));

@@ -619,13 +619,13 @@ CASES = [
           "Boundary/Fixed points=0.5, 0"]),
     Case("free_to_fly", 3,
          ["Unconstrained rigid-body motions:\n  translation along x1\n  translation along x2\n"
-          "  rotation in the plane x1-x2 .*\nContact"],
+          "  rotation in the plane x1-x2 .*\nHold each part"],
          ["Boundary/Symmetry=none", "Boundary/Contact=none",
           "Boundary/Fixed points=none"]),
     Case("free_part", 3,
          ["Unconstrained rigid-body motions:\n  translation along x1 of part 2 of 2 .*\n"
           "  translation along x2 of part 2 of 2 .*\n"
-          "  rotation in the plane x1-x2 .* of part 2 of 2 .*\nContact"],
+          "  rotation in the plane x1-x2 .* of part 2 of 2 .*\nHold each part"],
          [mesh("two_parts"), "Boundary/Fixed points=0, 0: 1",
           "Boundary/Contact=none"],
          scene=MESH_SCENE),
