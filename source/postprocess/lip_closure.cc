@@ -2,6 +2,7 @@
 // Copyright (C) 2026 by the Crevasse authors
 
 #include <crevasse/base/csv_table.h>
+#include <crevasse/base/series_extremes.h>
 #include <crevasse/postprocess/lip_closure.h>
 
 #include <boost/math/tools/toms748_solve.hpp>
@@ -77,8 +78,12 @@ namespace Crevasse
         for (unsigned int lip = 0; lip < n_lips; ++lip)
           if (status(lip, begin) != status(lip, end))
             {
-              changes.push_back(
-                {begin.instant, end.instant, strain, sample.viscous_strain});
+              changes.push_back({sample.period,
+                                 begin.instant,
+                                 end.instant,
+                                 sample.time - sample.instant,
+                                 strain,
+                                 sample.viscous_strain});
               break;
             }
       }
@@ -164,9 +169,9 @@ namespace Crevasse
         strain.sadd(1. - part, part, step->strain_at_end);
         evolution.rate(instant, strain, rate);
       }
-    return {0,
+    return {step->period,
             0,
-            instant,
+            step->begin_of_period + instant,
             instant,
             evolution.state(),
             strain,
@@ -270,8 +275,10 @@ namespace Crevasse
       }
     for (Change &change : changes)
       {
+        archive.common(change.period);
         archive.common(change.begin);
         archive.common(change.end);
+        archive.common(change.begin_of_period);
         archive.at_points(change.strain_at_begin);
         archive.at_points(change.strain_at_end);
       }
@@ -282,8 +289,10 @@ namespace Crevasse
 
   template <int dim>
   void
-  LipClosure<dim>::summarise(Summary &summary)
+  LipClosure<dim>::find_changes(
+    const std::vector<std::unique_ptr<Observer>> &observers)
   {
+    const std::vector<Moment> samples = period;
     try
       {
         for (const Change &change : changes)
@@ -296,8 +305,28 @@ namespace Crevasse
         failure =
           "the instant at which a lip changes within a step was not found: ";
         failure += error.what();
-        summary["warnings"].push_back(failure);
+        return;
       }
+    auto sample = samples.begin();
+    for (const Moment &moment : period)
+      if (sample != samples.end() && moment.instant == sample->instant)
+        ++sample;
+      else
+        {
+          const Sample here = sample_at(moment.instant);
+          for (const auto &observer : observers)
+            observer->between(here);
+        }
+  }
+
+
+
+  template <int dim>
+  void
+  LipClosure<dim>::summarise(Summary &summary)
+  {
+    if (!failure.empty())
+      summary["warnings"].push_back(failure);
     if (period.size() > 1)
       {
         const auto [wholly, partly] = closed_parts(period_of(n_lips));
@@ -310,11 +339,13 @@ namespace Crevasse
     std::vector<std::vector<double>> rows;
     for (unsigned int i = 0; i < places.size(); ++i)
       {
-        double closed = 0., opening = 0., pressure = 0.;
+        double              closed = 0.;
+        std::vector<double> instants, opening, pressure;
         for (unsigned int k = 0; k < period.size(); ++k)
           {
-            opening  = std::max(opening, period[k].openings[i]);
-            pressure = std::max(pressure, -period[k].openings[i]);
+            instants.push_back(period[k].instant);
+            opening.push_back(std::max(0., period[k].openings[i]));
+            pressure.push_back(std::max(0., -period[k].openings[i]));
             if (k + 1 < period.size())
               closed += closed_time(i, k) /
                         (period.back().instant - period.front().instant);
@@ -322,7 +353,11 @@ namespace Crevasse
         const auto         &node = body.space.lip.nodes[places[i]];
         std::vector<double> row  = {1. + node.lip};
         row.insert(row.end(), node.point.begin_raw(), node.point.end_raw());
-        row.insert(row.end(), {closed, opening, pressure});
+        row.push_back(closed);
+        for (const auto *series : {&opening, &pressure})
+          row.push_back(period.empty()
+                          ? 0.
+                          : SeriesExtremes(instants, *series).largest.value);
         rows.push_back(row);
       }
     double size = 0.;

@@ -152,22 +152,18 @@ namespace Crevasse
 
 
   void
-  TipTable::add_changes_of_lip()
+  TipTable::between(const Sample &sample)
   {
-    if (context.closure == nullptr || !context.closure->failure.empty())
+    // A tip without K at all samples has only rounding in between.
+    if (std::none_of(of_last_period.begin(),
+                     of_last_period.end(),
+                     equivalent_of))
       return;
-    const std::vector<LipMoment> lip = context.closure->lip_at(place.position);
-    for (std::size_t i = 1; i + 1 < lip.size(); ++i)
-      if (const auto next =
-            std::lower_bound(instants.begin(), instants.end(), lip[i].instant);
-          *next != lip[i].instant && (lip[i].status != lip[i - 1].status ||
-                                      lip[i].status != lip[i + 1].status))
-        {
-          of_last_period.insert(
-            of_last_period.begin() + (next - instants.begin()),
-            evaluate(context.closure->sample_at(lip[i].instant)));
-          instants.insert(next, lip[i].instant);
-        }
+    const auto next =
+      std::lower_bound(instants.begin(), instants.end(), sample.instant);
+    of_last_period.insert(of_last_period.begin() + (next - instants.begin()),
+                          evaluate(sample));
+    instants.insert(next, sample.instant);
   }
 
 
@@ -178,8 +174,19 @@ namespace Crevasse
     std::vector<double> all;
     for (const TipValues &values : of_last_period)
       all.push_back(number(values));
-    const auto [least, most] = std::minmax_element(all.begin(), all.end());
-    return {*least, *most};
+    const SeriesExtremes extremes(instants, all);
+    return {extremes.least.value, extremes.largest.value};
+  }
+
+
+
+  double
+  TipTable::largest_value(const Number &number) const
+  {
+    double largest = 0.;
+    for (const TipValues &values : of_last_period)
+      largest = std::max(largest, number(values));
+    return largest;
   }
 
 
@@ -189,11 +196,6 @@ namespace Crevasse
   {
     if (instants.empty())
       return;
-    // A lip without K at all samples has only rounding in between.
-    if (std::any_of(of_last_period.begin(),
-                    of_last_period.end(),
-                    equivalent_of))
-      add_changes_of_lip();
     Summary tip   = place_of(place);
     tip["method"] = analysis.intensity.method();
     tip["radius"] = analysis.intensity.radius();
@@ -231,7 +233,7 @@ namespace Crevasse
     };
     const auto [least, most] = range(intensity);
     const double error =
-      largest([mode](const TipValues &v) { return v.error[mode]; });
+      largest_value([mode](const TipValues &v) { return v.error[mode]; });
     const double size    = std::max(std::abs(least), std::abs(most));
     tip[name]            = extremes(intensity);
     tip[name + "_error"] = error;
@@ -258,7 +260,7 @@ namespace Crevasse
                           return a.equivalent < b.equivalent;
                         });
     tip["T_stress"] = extremes([](const TipValues &v) { return v.t_stress; });
-    tip["equivalent_intensity"] = {{"largest", worst.equivalent}};
+    tip["equivalent_intensity"] = {{"largest", largest(equivalent_of)}};
     tip["growth_angle"]         = worst.growth_angle;
     tip["growth_angle_G"]       = worst.angle_of_release;
     const auto [low, high]      = range(opening_of);
@@ -284,7 +286,7 @@ namespace Crevasse
     const double size  = largest([](const TipValues &v) {
       return std::hypot(v.intensity[0], v.intensity[1]);
     });
-    const double error = largest(
+    const double error = largest_value(
       [](const TipValues &v) { return std::hypot(v.error[0], v.error[1]); });
     if (error <= large * size || size <= negligible * usual)
       return;
@@ -349,7 +351,7 @@ namespace Crevasse
                        [](const TipValues &a, const TipValues &b) {
                          return opening_of(a) < opening_of(b);
                        });
-    const double most = opening_of(*worst);
+    const double most = largest(opening_of);
     LipOpening   opens =
       last_opening(lip, instants[worst - of_last_period.begin()]);
     if (opens.why_not.empty())

@@ -248,6 +248,8 @@ namespace Crevasse
   Run<dim>::conclude(Summary summary)
   {
     summarise_run(*this, summary);
+    if (closure != nullptr)
+      closure->find_changes(observers);
     for (const auto &observer : observers)
       {
         observer->summarise(summary);

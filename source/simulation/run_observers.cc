@@ -323,8 +323,7 @@ namespace Crevasse
     const LipTotals &lip =
       outputs.add(std::make_unique<Extremes<dim>>(*this))->lip;
     outputs.add_probes();
-    LipClosure<dim> *const closure =
-      body.effects.contact.on ? outputs.add_lip(lip) : nullptr;
+    closure = body.effects.contact.on ? outputs.add_lip(lip) : nullptr;
     if (!body.space.roles.crack.empty())
       outputs.add(std::make_unique<SlipWhileClosed<dim>>(body, log));
     const Drift<dim> *const drift =

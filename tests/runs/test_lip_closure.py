@@ -2,6 +2,7 @@
 of elastic bodies, on two ranks, resumed, and for each of several cracks."""
 
 import math
+import pathlib
 import re
 
 from cracked import BOTTOM, CRACK, LEFT, PLATE, TOP, steps, write_block
@@ -37,6 +38,22 @@ end
 """
 # A crack in a body that creeps, in a period of which all is found at once.
 CREEPING = ONE_CRACK.replace("set Viscosity = none", "")
+# The first scene of doc/scenes.md under a mean load that closes its crack for a while.
+CLOSES = """
+subsection Geometry
+  set Shape        = edge crack
+  set Crack length = 0.5
+end
+subsection Material
+  set Young modulus   = 13000
+  set Poisson ratio   = 0.2
+  set Relaxation time = 60
+end
+subsection Loads
+  set Period   = 600
+  set Traction = 0; 10*sin(2*pi*t/600) - 2
+end
+"""
 TWO_CRACKS = ELASTIC + f"""
 subsection Geometry
   set Shape     = mesh file
@@ -105,7 +122,7 @@ def test_uniform():
         check_close(part, expected, 1e-7, "closed part of a node")
         check_close(pressure, 7, 0.03, "largest pressure")
     check_close(lip["largest_opening"][-1],
-                max(results.table("probe_mouth.csv")["opening"]), 1e-14, "opening")
+                results.summary["probes"]["mouth"]["opening"]["largest"], 1e-14, "opening")
     largest = tip["K_I"]["largest"]
     check_below(abs(tip["K_opening"]) / largest, 1e-5, "K_op")
     check_close(tip["Delta_K_eff"], largest - tip["K_opening"], 1e-9, "Delta K_eff")
@@ -171,8 +188,8 @@ def test_gap():
     gap = 1e-3
     results = run(ONE_CRACK, "gap", [f"Boundary/Gap=-{gap}"])
     tip, lip = results.summary["crack_tip"], results.table("lip.csv")
-    mouth = results.table("probe_mouth.csv")["opening"]
-    expected = -tip["K_I"]["largest"] * gap / (max(mouth) - gap)
+    mouth = results.summary["probes"]["mouth"]["opening"]["largest"]
+    expected = -tip["K_I"]["largest"] * gap / (mouth - gap)
     largest = tip["K_I"]["largest"]
     check(expected < -0.1 * largest, "it opens under compression")
     check_close(tip["K_opening"] / largest, expected / largest, 1e-5, "K_op")
@@ -223,6 +240,54 @@ def test_creeping_phases():
                 check_below(abs(values[1] - closed), 1. / n**2, f"closed, {what}")
                 check_below(abs(values[2] - smallest) / largest, 5. / n**2,
                             f"smallest, {what}")
+
+
+def test_extremes():
+    """Extremes are those of the motion, wherever the steps meet the load: of an elastic
+    body in proportion to the load."""
+    def extremes(name, load, *settings):
+        summary = run(ONE_CRACK, name, [f"Loads/Traction=0; {load}", *settings]).summary
+        tip, mouth, own = (summary["crack_tip"], summary["probes"]["mouth"],
+                           summary["extremes"])
+        return {"K_I": tip["K_I"]["largest"], "u_2": mouth["u_2"]["largest"],
+                "G": tip["energy_release_rate"]["largest"]**0.5,
+                "opening": own["opening"], "at the mouth": mouth["opening"]["largest"]}, {
+                "force": own["contact_force"], "pressure": own["pressure"],
+                "s_22": mouth["s_22"]["smallest"], "p": mouth["pressure"]["largest"],
+                "lip.csv": max(crevasse.read(f"results/{name}").tables["lip.csv"][
+                    "largest_pressure"])}
+    opened, _ = extremes("opened", "10")
+    _, closed = extremes("closed_by", "-10")
+    for n, bound in ((20, 1e-3), (40, 1e-4)):
+        for phase in (0, 0.1, 0.25, 0.4, 0.5):
+            found = extremes(f"extremes_{n}", f"10*sin(2*pi*(t/600 + {phase / n}))",
+                             f"Time integration/Steps per period={n}")
+            for mine, theirs in zip(found, (opened, closed)):
+                for name, value in mine.items():
+                    check_close(value / theirs[name], 1, bound,
+                                f"{name}, {n} steps, phase {phase}")
+
+
+def test_creeping_extremes():
+    """Those of a body that creeps, whose lip closes within a step, against values of
+    1600 steps."""
+    scene = pathlib.Path("closes.prm")  # with the program's defaults
+    scene.write_text(CLOSES)
+    exact = {"K": -38.1408, "force": 4.32233, "opening": 9.65931e-3, "s_11": -0.168405}
+    for name, bound, settings in (
+            ("trapezoid", 1e-3, ()),
+            ("rk4", 1e-3, ("Time integration/Scheme=rk4",
+                           "Time integration/Locate contact events=true",
+                           "Periodic state/Method=anderson"))):
+        summary = run(scene, f"closes_{name}", settings).summary
+        tip, mouth = summary["crack_tip"], summary["probes"]["mouth"]
+        for what, value in (("K", tip["K_I"]["smallest"]),
+                            ("force", summary["extremes"]["contact_force"]),
+                            ("opening", summary["extremes"]["opening"]),
+                            ("s_11", mouth["s_11"]["smallest"])):
+            check_close(value / exact[what], 1, bound, f"{name}: {what}")
+        sample = min(crevasse.read(f"results/closes_{name}").tables["crack_tip.csv"]["K_I"])
+        check(sample / exact["K"] < 0.98, "the lip closes between samples")
 
 
 def test_no_opening():
@@ -386,6 +451,8 @@ test_axis_first()
 test_gap()
 test_phases()
 test_creeping_phases()
+test_extremes()
+test_creeping_extremes()
 test_no_opening()
 test_failed_trial()
 test_certified_trials()

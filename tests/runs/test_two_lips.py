@@ -475,7 +475,8 @@ def test_side_of_probe():
           "the lip moves into its body by half of the opening")
     log = (results.directory / "log.txt").read_text()
     check("probe mouth: lies on a crack" in log and f"(0, {side[1]:g})" in log, log)
-    check("inside" not in results.summary["probes"], "a probe within the body")
+    check("body_of_lip" not in results.summary["probes"]["inside"],
+          "a probe within the body")
 
 
 def test_sweep():

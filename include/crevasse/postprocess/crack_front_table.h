@@ -6,6 +6,7 @@
 
 #include <crevasse/base/csv_table.h>
 #include <crevasse/base/log.h>
+#include <crevasse/base/series_extremes.h>
 #include <crevasse/base/text.h>
 #include <crevasse/postprocess/crack_front_analysis.h>
 #include <crevasse/postprocess/mission_table.h>
@@ -40,16 +41,24 @@ namespace Crevasse
         {
           times.clear();
           values.clear();
-          before_jumps.clear();
+          has_row.clear();
         }
-      add(sample);
+      add(sample, times.size(), true);
     }
 
     void
     before_jump(const Sample &sample) override
     {
-      before_jumps.push_back(times.size());
-      add(sample);
+      add(sample, times.size(), false);
+    }
+
+    void
+    between(const Sample &sample) override
+    {
+      add(sample,
+          std::lower_bound(times.begin(), times.end(), sample.time) -
+            times.begin(),
+          false);
     }
 
     void
@@ -58,16 +67,15 @@ namespace Crevasse
       archive.section("crack front");
       archive.common(times);
       archive.common_list(values);
-      archive.common(before_jumps);
+      archive.common(has_row);
     }
 
     /** Largest and smallest K_I of the last period along the front. */
     std::vector<PeriodNumber>
     period_numbers() const
     {
-      return {{"K_I_largest", [this] { return range(0).second->intensity[0]; }},
-              {"K_I_smallest",
-               [this] { return range(0).first->intensity[0]; }}};
+      return {{"K_I_largest", [this] { return range(0).second.value; }},
+              {"K_I_smallest", [this] { return range(0).first.value; }}};
     }
 
     /** K_I at the vertices of the front at the last sample. */
@@ -99,30 +107,37 @@ namespace Crevasse
           double error                   = 0.;
           for (const auto &value : values)
             error = std::max(error, value.error[m]);
-          const std::size_t at        = largest - values.begin();
-          front[names[m]]["largest"]  = place(at, m);
-          front[names[m]]["smallest"] = place(smallest - values.begin(), m);
+          front[names[m]]["largest"]  = place(largest);
+          front[names[m]]["smallest"] = place(smallest);
           front[names[m] + "_error"]  = error;
           log.line("  crack front: " + names[m] +
                    Text::format(" from %.6g to %.6g in the last "
                                 "period, estimated error %.1e; largest at ",
-                                smallest->intensity[m],
-                                largest->intensity[m],
+                                smallest.value,
+                                largest.value,
                                 error) +
-                   Text::from_point(vertex(at).point));
+                   Text::from_point(vertex(largest.vertex).point));
         }
     }
 
   private:
     using Values = std::vector<CrackFrontAnalysis::Estimate>;
 
-    void
-    add(const Sample &sample)
+    /** Extreme of K at a vertex. */
+    struct Extreme : SeriesExtremes::Extreme
     {
-      times.push_back(sample.time);
+      std::size_t vertex;
+    };
+
+    /** Adds the values of a sample as those of the k-th time. */
+    void
+    add(const Sample &sample, const std::size_t k, const bool is_row)
+    {
+      has_row.insert(has_row.begin() + k, is_row);
+      times.insert(times.begin() + k, sample.time);
       const auto now =
         analysis.evaluate(steps.within_period(sample.instant), sample);
-      values.insert(values.end(), now.begin(), now.end());
+      values.insert(values.begin() + k * n_vertices(), now.begin(), now.end());
     }
 
     std::size_t
@@ -132,14 +147,24 @@ namespace Crevasse
     }
 
     /** Smallest and largest K of a mode in the last period. */
-    std::pair<Values::const_iterator, Values::const_iterator>
+    std::pair<Extreme, Extreme>
     range(const unsigned int mode) const
     {
-      return std::minmax_element(values.begin(),
-                                 values.end(),
-                                 [mode](const auto &a, const auto &b) {
-                                   return a.intensity[mode] < b.intensity[mode];
-                                 });
+      std::vector<Extreme> least, largest;
+      for (std::size_t v = 0; v < n_vertices(); ++v)
+        {
+          std::vector<double> K;
+          for (std::size_t i = v; i < values.size(); i += n_vertices())
+            K.push_back(values[i].intensity[mode]);
+          const SeriesExtremes extremes(times, K);
+          least.push_back({extremes.least, v});
+          largest.push_back({extremes.largest, v});
+        }
+      const auto less = [](const Extreme &a, const Extreme &b) {
+        return a.value < b.value;
+      };
+      return {*std::min_element(least.begin(), least.end(), less),
+              *std::max_element(largest.begin(), largest.end(), less)};
     }
 
     const FrontRegion::Vertex &
@@ -149,12 +174,12 @@ namespace Crevasse
     }
 
     Summary
-    place(const std::size_t i, const unsigned int mode) const
+    place(const Extreme &extreme) const
     {
-      const auto &point = vertex(i).point;
-      return {{"value", values[i].intensity[mode]},
-              {"t", times[i / n_vertices()]},
-              {"s", vertex(i).s},
+      const auto &point = vertex(extreme.vertex).point;
+      return {{"value", extreme.value},
+              {"t", extreme.instant},
+              {"s", vertex(extreme.vertex).s},
               {"position", {point[0], point[1], point[2]}}};
     }
 
@@ -171,7 +196,7 @@ namespace Crevasse
       for (std::size_t i = 0; i < values.size(); ++i)
         {
           const unsigned int k = i / n_vertices();
-          if (std::binary_search(before_jumps.begin(), before_jumps.end(), k))
+          if (has_row[k] == 0)
             continue;
           const auto         &value = values[i];
           const auto         &point = vertex(i).point;
@@ -201,8 +226,8 @@ namespace Crevasse
     // Times and values in the last period; vertices vary before steps.
     std::vector<double> times;
     Values              values;
-    /** Places in times of samples before a jump, which have no rows. */
-    std::vector<unsigned int> before_jumps;
+    /** 1 for each time with rows in the table, the end of a step. */
+    std::vector<unsigned int> has_row;
   };
 } // namespace Crevasse
 

@@ -5,6 +5,7 @@
 #define crevasse_postprocess_creep_integral_table_h
 
 #include <crevasse/base/csv_table.h>
+#include <crevasse/base/series_extremes.h>
 #include <crevasse/base/text.h>
 #include <crevasse/crack_tip/creep_integral.h>
 #include <crevasse/crack_tip/growth_law.h>
@@ -93,13 +94,15 @@ namespace Crevasse
     void
     summarise(Summary &summary) override
     {
-      const std::vector<double> &C    = history.creep_integral;
-      const auto                 less = [](const double a, const double b) {
-        return a < b || (std::isnan(a) && !std::isnan(b));
-      };
-      const auto largest = std::max_element(C.begin(), C.end(), less);
-      if (largest == C.end() || std::isnan(*largest))
+      const std::vector<double> &C = history.creep_integral;
+      const auto largest = SeriesExtremes(history.instants, C).largest;
+      if (std::isnan(largest.value))
         return;
+      const double error_of_largest =
+        errors[std::lower_bound(history.instants.begin(),
+                                history.instants.end(),
+                                largest.instant) -
+               history.instants.begin()];
       std::size_t last = C.size() - 1;
       while (std::isnan(C[last])) // no C after a jump
         --last;
@@ -107,16 +110,16 @@ namespace Crevasse
         "  crack tip " + Text::from_point(integral.region.tip.position) + ": ";
       Summary tip = place_of(integral.region.tip);
       tip.update({{"radius", integral.radius()},
-                  {"largest", *largest},
-                  {"error_of_largest", errors[largest - C.begin()]},
+                  {"largest", largest.value},
+                  {"error_of_largest", error_of_largest},
                   {"last", C[last]},
                   {"error_of_last", errors[last]}});
       log.line(title +
                Text::format("C(t) at most %.6g in the last period, %.6g at "
                             "its end, estimated errors %.1e and %.1e",
-                            *largest,
+                            largest.value,
                             C[last],
-                            errors[largest - C.begin()],
+                            error_of_largest,
                             errors[last]));
       summarise_growth(law, history, title, tip, log);
       summary["creep_integrals"].push_back(tip);

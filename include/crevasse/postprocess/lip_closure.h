@@ -53,8 +53,13 @@ namespace Crevasse
     void
     serialize(StateArchive &archive) override;
 
-    /** Finds the instants of change, writes the table, and adds "closed_part"
-     * of all lips together to the summary. Collective. */
+    /** Finds the instants of change after the last period, and shows the states
+     * at them to all observers. Collective. */
+    void
+    find_changes(const std::vector<std::unique_ptr<Observer>> &observers);
+
+    /** Writes the table, and adds "closed_part" of all lips together to the
+     * summary. Collective. */
     void
     summarise(Summary &summary) override;
 
@@ -62,22 +67,19 @@ namespace Crevasse
     std::string failure;
 
     /** Status in the last period of the lip that begins at a tip, available
-     * after summarise(). */
+     * after find_changes(). */
     std::vector<LipMoment>
     lip_at(const dealii::Point<dim> &tip) const;
-
-    /** Sample at an instant within a step in which a lip changes, valid until
-     * the next call. Collective. */
-    Sample
-    sample_at(const double instant);
 
   private:
     /** A step of the last period in which a lip changes. Without viscosity
      * strains are empty. */
     struct Change
     {
-      double begin, end;
-      Vector strain_at_begin, strain_at_end;
+      unsigned int period; ///< number of the period
+      double       begin, end;
+      double       begin_of_period; ///< time since the start of the run
+      Vector       strain_at_begin, strain_at_end;
     };
 
     /** State of the contact nodes of all ranks at an instant: the opening of
@@ -102,6 +104,11 @@ namespace Crevasse
 
     std::vector<LipMoment>
     period_of(const unsigned int lip) const;
+
+    /** Sample at an instant within a step in which a lip changes, valid until
+     * the next call. Collective. */
+    Sample
+    sample_at(const double instant);
 
     /** Adds moments at which a lip starts or ceases to be wholly open or closed
      * in a step. Collective. */

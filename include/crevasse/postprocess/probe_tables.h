@@ -5,6 +5,7 @@
 #define crevasse_postprocess_probe_tables_h
 
 #include <crevasse/base/csv_table.h>
+#include <crevasse/base/series_extremes.h>
 #include <crevasse/postprocess/probe.h>
 
 namespace Crevasse
@@ -29,6 +30,73 @@ namespace Crevasse
     void
     observe(const Sample &sample) override
     {
+      if (sample.step == 0)
+        {
+          instants.clear();
+          rows.clear();
+        }
+      add(sample, instants.size());
+      for (unsigned int k = 0; k < tables.size(); ++k)
+        tables[k].add_row(rows.back()[k]);
+    }
+
+    void
+    before_jump(const Sample &sample) override
+    {
+      add(sample, instants.size());
+    }
+
+    void
+    between(const Sample &sample) override
+    {
+      add(sample,
+          std::lower_bound(instants.begin(), instants.end(), sample.instant) -
+            instants.begin());
+    }
+
+    void
+    serialize(StateArchive &archive) override
+    {
+      archive.section("probes");
+      archive.common(instants);
+      rows.resize(instants.size());
+      for (auto &row : rows)
+        {
+          row.resize(probes.size());
+          for (auto &of_probe : row)
+            archive.common(of_probe);
+        }
+    }
+
+    /** Adds "probes" to the summary: the extremes of their columns in the last
+     * period, and their side of a crack with two lips. */
+    void
+    summarise(Summary &summary) override
+    {
+      for (unsigned int k = 0; k < probes.size(); ++k)
+        {
+          Summary &probe = summary["probes"][probes[k].name];
+          if (const auto &side = probes[k].side_of_crack)
+            for (unsigned int d = 0; d < dim; ++d)
+              probe["body_of_lip"].push_back((*side)[d]);
+          const auto columns = probes[k].columns();
+          for (unsigned int i = 1; i < columns.size() && !rows.empty(); ++i)
+            {
+              std::vector<double> series;
+              for (const auto &row : rows)
+                series.push_back(row[k][i]);
+              const SeriesExtremes extremes(instants, series);
+              probe[columns[i]] = {{"largest", extremes.largest.value},
+                                   {"smallest", extremes.least.value}};
+            }
+        }
+    }
+
+  private:
+    /** Inserts the rows of a sample as those of the i-th instant. */
+    void
+    add(const Sample &sample, const std::size_t i)
+    {
       std::vector<typename ProbeEvaluator<dim>::Values> values;
       for (const ProbeEvaluator<dim> &probe : probes)
         values.push_back(probe.local_values(sample));
@@ -37,24 +105,20 @@ namespace Crevasse
       dealii::Utilities::MPI::sum(dealii::ArrayView<const double>(all),
                                   communicator,
                                   all);
+      std::vector<std::vector<double>> row;
       for (unsigned int k = 0; k < tables.size(); ++k)
-        tables[k].add_row(probes[k].row(sample.time, values[k]));
+        row.push_back(probes[k].row(sample.time, values[k]));
+      instants.insert(instants.begin() + i, sample.instant);
+      rows.insert(rows.begin() + i, row);
     }
 
-    /** Adds "probes" to the summary: their side of a crack with two lips. */
-    void
-    summarise(Summary &summary) override
-    {
-      for (const ProbeEvaluator<dim> &probe : probes)
-        if (const auto &side = probe.side_of_crack)
-          for (unsigned int d = 0; d < dim; ++d)
-            summary["probes"][probe.name]["body_of_lip"].push_back((*side)[d]);
-    }
-
-  private:
     const std::vector<ProbeEvaluator<dim>> &probes;
     std::vector<CsvTable>                   tables;
     const MPI_Comm                          communicator;
+
+    // The last period: instants, and at each the rows of all probes.
+    std::vector<double>                           instants;
+    std::vector<std::vector<std::vector<double>>> rows;
   };
 } // namespace Crevasse
 

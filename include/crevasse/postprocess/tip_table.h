@@ -5,6 +5,7 @@
 #define crevasse_postprocess_tip_table_h
 
 #include <crevasse/base/csv_table.h>
+#include <crevasse/base/series_extremes.h>
 #include <crevasse/crack_tip/growth_direction.h>
 #include <crevasse/parameters/units.h>
 #include <crevasse/postprocess/crack_tip_analysis.h>
@@ -77,6 +78,10 @@ namespace Crevasse
       of_last_period.push_back(evaluate(sample));
     }
 
+    /** Stores the values at an instant at which a lip changes. */
+    void
+    between(const Sample &sample) override;
+
     /** Adds "crack_tip", or an entry of "crack_tips", to the summary, and a few
      * lines to the log. */
     void
@@ -123,14 +128,14 @@ namespace Crevasse
     TipValues
     evaluate(const Sample &sample) const;
 
-    /** Adds the instants within steps at which the lip opens or closes: K has
-     * kinks there. Collective. */
-    void
-    add_changes_of_lip();
-
-    /** Least and largest value of a number over the last period. */
+    /** Least and largest value of a number over the last period, also between
+     * its instants. */
     std::pair<double, double>
     range(const Number &number) const;
+
+    /** Largest of the values of a number at the instants, such as an error. */
+    double
+    largest_value(const Number &number) const;
 
     double
     largest(const Number &number) const

@@ -4,13 +4,15 @@
 #ifndef crevasse_simulation_extremes_h
 #define crevasse_simulation_extremes_h
 
+#include <crevasse/base/series_extremes.h>
 #include <crevasse/discretisation/rigid_modes.h>
 #include <crevasse/simulation/run.h>
 
 namespace Crevasse
 {
   /** Records the largest stress, displacement, opening and viscous strain of
-   * a run, or of its last period, and the rounding of the stress. */
+   * a run, or of its last period, the largest contact force and pressure of its
+   * last period, and the rounding of the stress. */
   template <int dim>
   class Extremes : public Observer
   {
@@ -27,21 +29,22 @@ namespace Crevasse
     void
     observe(const Sample &sample) override
     {
-      if (run.choice.periods_are_iterates() && sample.step == 0)
-        state.largest_displacement = state.largest_opening = viscous_strain =
-          0.;
-      const State &now = sample.state;
-      state.largest_displacement =
-        std::max(state.largest_displacement,
-                 body.nodal_displacement(now.displacement, now.instant, 0.)
-                   .linfty_norm());
+      if (sample.step == 0)
+        {
+          if (run.choice.periods_are_iterates())
+            state.largest_displacement = state.largest_opening =
+              viscous_strain           = 0.;
+          instants.clear();
+          for (auto *const series : all())
+            series->clear();
+        }
       if (sample.viscous_strain.size() > 0)
         viscous_strain =
           std::max(viscous_strain, largest_strain(sample.viscous_strain));
-      if (body.effects.contact.on)
-        lip = body.lip.totals(now.displacement, now.contact_forces);
-      state.largest_opening =
-        std::max(state.largest_opening, lip.largest_opening);
+      add(sample, instants.size());
+      state.largest_displacement =
+        std::max(state.largest_displacement, displacement.back());
+      state.largest_opening = std::max(state.largest_opening, opening.back());
     }
 
     void
@@ -51,17 +54,29 @@ namespace Crevasse
     }
 
     void
+    between(const Sample &sample) override
+    {
+      add(sample,
+          std::lower_bound(instants.begin(), instants.end(), sample.instant) -
+            instants.begin());
+    }
+
+    void
     end_of_period(const PeriodReport &report) override
     {
       state.largest_stress =
         std::max(run.choice.periods_are_iterates() ? 0. : state.largest_stress,
                  report.largest_stress);
+      find_largest();
     }
 
     void
     serialize(StateArchive &archive) override
     {
       archive.common(viscous_strain);
+      archive.common(instants);
+      for (auto *const series : all())
+        archive.common(*series);
     }
 
     /** Adds "extremes". "stress_rounding" is relative to the maximum: stress
@@ -69,9 +84,10 @@ namespace Crevasse
     void
     summarise(Summary &summary) override
     {
-      Summary &extremes         = summary["extremes"];
-      extremes["stress"]        = state.largest_stress;
-      extremes["displacement"]  = state.largest_displacement;
+      find_largest();
+      Summary &extremes        = summary["extremes"];
+      extremes["stress"]       = state.largest_stress;
+      extremes["displacement"] = state.largest_displacement;
       constexpr double small    = 0.1;
       const double     diagonal = RigidParts<dim>(body.space.mesh()).size();
       if (state.largest_displacement > small * diagonal)
@@ -83,7 +99,11 @@ namespace Crevasse
              "and moduli use one system of units, and that the body may "
              "creep this long.");
       if (body.effects.contact.on)
-        extremes["opening"] = state.largest_opening;
+        {
+          extremes["opening"]       = state.largest_opening;
+          extremes["contact_force"] = largest_of(force);
+          extremes["pressure"]      = largest_of(pressure);
+        }
       if (!body.effects.viscosity.on)
         return;
       double     stiffness = 0.;
@@ -102,6 +122,50 @@ namespace Crevasse
     LipTotals lip; ///< state at the last sample
 
   private:
+    /** Inserts the values of a sample as those of the k-th instant. */
+    void
+    add(const Sample &sample, const std::size_t k)
+    {
+      const State &now = sample.state;
+      if (body.effects.contact.on)
+        lip = body.lip.totals(now.displacement, now.contact_forces);
+      const double moved =
+        body.nodal_displacement(now.displacement, now.instant, 0.)
+          .linfty_norm();
+      const auto insert = [k](std::vector<double> &series, const double value) {
+        series.insert(series.begin() + k, value);
+      };
+      insert(instants, sample.instant);
+      insert(stress, now.stress.linfty_norm());
+      insert(displacement, moved);
+      insert(opening, lip.largest_opening);
+      insert(force, lip.force);
+      insert(pressure, lip.largest_pressure);
+    }
+
+    double
+    largest_of(const std::vector<double> &series) const
+    {
+      return std::max(0., SeriesExtremes(instants, series).largest.value);
+    }
+
+    /** Takes what was larger between the steps of the last period. */
+    void
+    find_largest()
+    {
+      state.largest_stress = std::max(state.largest_stress, largest_of(stress));
+      state.largest_displacement =
+        std::max(state.largest_displacement, largest_of(displacement));
+      state.largest_opening =
+        std::max(state.largest_opening, largest_of(opening));
+    }
+
+    std::array<std::vector<double> *, 5>
+    all()
+    {
+      return {{&stress, &displacement, &opening, &force, &pressure}};
+    }
+
     double
     largest_strain(const Vector &r) const
     {
@@ -116,6 +180,10 @@ namespace Crevasse
     const Body<dim> &body;
     RunState        &state;
     double           viscous_strain = 0.; ///< its largest component
+
+    /** Instants of the last period, and the largest values at these. */
+    std::vector<double> instants, stress, displacement, opening, force,
+      pressure;
   };
 } // namespace Crevasse
 

@@ -14,6 +14,7 @@
 #include <crevasse/periodic/run_state.h>
 #include <crevasse/postprocess/crack_front_analysis.h>
 #include <crevasse/postprocess/crack_tip_analysis.h>
+#include <crevasse/postprocess/lip_closure.h>
 #include <crevasse/postprocess/load_factors.h>
 #include <crevasse/postprocess/probe.h>
 #include <crevasse/simulation/period_estimate.h>
@@ -131,6 +132,7 @@ namespace Crevasse
     std::unique_ptr<PeriodEstimate<dim>>   estimate; ///< null: mesh stays
     std::vector<std::unique_ptr<Observer>> observers;
     ConvergedQuantity *quantity = nullptr; ///< an observer; null: the stress
+    LipClosure<dim>   *closure  = nullptr; ///< an observer; null: no contact
 
   private:
     /** Finds what describes the crack's tips or front. */

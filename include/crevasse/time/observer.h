@@ -63,6 +63,14 @@ namespace Crevasse
     {
     }
 
+    /** Receives, after the last period and before summarise(), the state at an
+     * instant of this period within a step at which a lip opens or closes:
+     * quantities have kinks there. Collective. */
+    virtual void
+    between(const Sample &)
+    {
+    }
+
     virtual void
     end_of_period(const PeriodReport &)
     {
