@@ -9,6 +9,7 @@ from crevasse_run import (SOURCE, check, check_below, check_close, execute, over
                           run, sweep)
 
 sys.path.insert(0, str(SOURCE / "source" / "python"))
+from crevasse import report  # noqa: E402
 from crevasse.advise_errors import choose_quantities  # noqa: E402
 from crevasse.results import read_parameters  # noqa: E402
 from crevasse.run_reader import Run  # noqa: E402
@@ -192,6 +193,49 @@ def test_displacements():
               (results.directory / "log.txt").read_text(), "not noticed")
 
 
+def test_singular_stress():
+    """A largest stress that no mesh bounds is called that, with its place."""
+    pathlib.Path("corner.msh").write_text("""$MeshFormat
+2.2 0 8
+$EndMeshFormat
+$Nodes
+8
+1 0 0 0
+2 1 0 0
+3 2 0 0
+4 0 1 0
+5 1 1 0
+6 2 1 0
+7 0 2 0
+8 1 2 0
+$EndNodes
+$Elements
+6
+1 1 2 1 1 1 2
+2 1 2 1 1 2 3
+3 1 2 2 2 7 8
+4 3 2 9 9 1 2 5 4
+5 3 2 9 9 2 3 6 5
+6 3 2 9 9 4 5 8 7
+$EndElements
+""")
+    for name, place, settings in (
+            ("tip", "crack tip (0.5, 0)", ()),
+            ("rectangle", "", ("Geometry/Shape=rectangle",)),
+            ("corner", "re-entrant corner (1, 1)", (
+                "Geometry/Shape=mesh file", "Geometry/Mesh file=corner.msh",
+                "Boundary/Symmetry=1", "Boundary/Loaded=2", "Boundary/Contact=none",
+                "Boundary/Fixed points=0, 0: 1", "Geometry/Refinements=2"))):
+        results = run_defaults(f"singular_{name}", settings)
+        why = results.summary.get("no_largest_stress", "")
+        check(place in why if place else not why, f"{name}: {why}")
+        check(("no mesh bounds it" in (results.directory / "log.txt").read_text())
+              == bool(place), "the log")
+        text = (report.main([str(results.directory)]), (
+            results.directory / "report.html").read_text())[1]
+        check(("no mesh bounds" in text) == bool(place), "the report")
+
+
 def test_field_times():
     """Of the last period: those of the extremes, all, or equally spaced ones."""
     short = ["Periodic state/Method=march", "Periodic state/Maximum periods=2",
@@ -231,3 +275,4 @@ test_asked_for_or_not()
 test_ratio_varies()
 test_not_used()
 test_displacements()
+test_singular_stress()

@@ -6,6 +6,7 @@
 
 #include <crevasse/base/series_extremes.h>
 #include <crevasse/discretisation/rigid_modes.h>
+#include <crevasse/grid/singular_place.h>
 #include <crevasse/simulation/run.h>
 
 namespace Crevasse
@@ -88,6 +89,14 @@ namespace Crevasse
       Summary &extremes        = summary["extremes"];
       extremes["stress"]       = state.largest_stress;
       extremes["displacement"] = state.largest_displacement;
+      if (const std::string why =
+            why_stress_is_unbounded(body.space.mesh(), body.space.roles);
+          !why.empty() && state.largest_stress > 0.)
+        {
+          summary["no_largest_stress"] = why;
+          run.log.line("  largest stress at quadrature points " +
+                       Text::from_number(state.largest_stress, 4) + ": " + why);
+        }
       constexpr double small    = 0.1;
       const double     diagonal = RigidParts<dim>(body.space.mesh()).size();
       if (state.largest_displacement > small * diagonal)

@@ -31,7 +31,10 @@ def numbers(run):
         found.append(Number("largest opening", opening, None, "length"))
     if not found:
         stress = run.summary_number("extremes", "stress")
-        found = [Number("largest stress", stress, None, "stress"),
+        bounded = "no_largest_stress" not in run.summary
+        found = [Number("largest stress" if bounded else
+                        "largest stress at quadrature points, which no mesh bounds",
+                        stress, None, "stress"),
                  Number("largest displacement",
                         run.summary_number("extremes", "displacement"), None,
                         "length")]

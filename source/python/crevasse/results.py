@@ -26,7 +26,7 @@ SHAPES = {
     "counters": {EACH: A_NUMBER},
     "certificate": {EACH: A_NUMBER},
     "seconds": {EACH: A_NUMBER}, "calls": {EACH: A_NUMBER}, "share": {EACH: A_NUMBER},
-    "extremes": {EACH: A_NUMBER}, "closed_part": {EACH: A_NUMBER},
+    "extremes": {EACH: A_NUMBER}, "no_largest_stress": A_TEXT, "closed_part": {EACH: A_NUMBER},
     "secular": {"on": YES_OR_NO, "opening_nodes": A_NUMBER,
                 "per_probe": {EACH: {"beta": [A_NUMBER], "mean_pressure": A_NUMBER}}},
     "drift": {"per_probe": {EACH: [A_NUMBER]}},
