@@ -246,7 +246,7 @@ def test_growth():
                    for k in range(40))
     tip = results.summary["creep_integrals"][0]
     check_close(tip["da_dN"] / expected, 1, 1e-12, "growth by C(t)")
-    check(min(C) < 1e-3 * max(C) and tip["largest"] == max(C[:-1]),
+    check(min(C) < 1e-3 * max(C) and 1 <= tip["largest"] / max(C[:-1]) < 1.01,
           "C(t) where the crack is pressed together")
 
 
