@@ -112,8 +112,15 @@ class Lengths:
         weighted by the periods that the crack spends there; None if all are chosen.
 
         @param rates growth a period at all lengths."""
-        usable = (rates > 0.).all() and numpy.isfinite(rates).all()
-        weights = 1 / rates if usable else numpy.ones(len(self.all))
+        # No time is spent beyond the toughness, where the rate is infinite, nor where the
+        # law ends (nan). A crack that rests stays for ever: the longest time of other
+        # lengths stands for it.
+        grows = (rates > 0.) & numpy.isfinite(rates)
+        weights = numpy.zeros(len(self.all))
+        weights[grows] = 1 / rates[grows]
+        weights[rates == 0.] = weights.max()
+        if not weights.any():
+            weights[:] = 1.
         others = [k for k in range(len(self.all)) if k not in chosen]
         if within:
             low, high = within
