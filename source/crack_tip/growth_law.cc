@@ -13,9 +13,9 @@ namespace Crevasse
   namespace
   {
     double
-    walker_growth(const CrackTipParameters &law,
-                  const double              range,
-                  const TipHistory         &history)
+    walker_growth(const GrowthConstants &law,
+                  const double           range,
+                  const TipHistory      &history)
     {
       const double m = law.paris_exponent, K_th = law.paris_threshold;
       if (range <= K_th)
@@ -29,9 +29,27 @@ namespace Crevasse
         return growth;
       const double rest  = 1. - history.largest / law.toughness,
                    delta = law.toughness_exponent;
-      if (rest <= 0.)
-        return std::numeric_limits<double>::infinity();
       return growth / (delta > 0. ? -std::expm1(-delta * rest) : rest);
+    }
+
+
+
+    bool
+    reaches_toughness(const GrowthConstants &constants,
+                      const TipHistory      &history)
+    {
+      return constants.toughness > 0. && history.largest >= constants.toughness;
+    }
+
+
+
+    /** The formula of a constant in the description of a law. */
+    std::string
+    text_of(const Formula &constant)
+    {
+      return constant->is_constant()
+               ? Text::from_number(constant->value(dealii::Point<2>()))
+               : '(' + constant->formula() + ')';
     }
 
 
@@ -39,6 +57,9 @@ namespace Crevasse
     double
     fatigue_growth(const CrackTipParameters &law, const TipHistory &history)
     {
+      const GrowthConstants constants = law.constants(history.temperature);
+      if (reaches_toughness(constants, history))
+        return std::numeric_limits<double>::infinity();
       const double range = law.growth_range == GrowthRange::whole
                              ? history.range
                              : history.effective_range;
@@ -47,11 +68,11 @@ namespace Crevasse
       switch (traits(law.growth_law).fatigue)
         {
           case FatigueLaw::paris: // NaN propagates
-            return law.paris_factor *
-                   std::pow(std::max(range - law.paris_threshold, 0.),
-                            law.paris_exponent);
+            return constants.paris_factor *
+                   std::pow(std::max(range - constants.paris_threshold, 0.),
+                            constants.paris_exponent);
           case FatigueLaw::walker:
-            return walker_growth(law, range, history);
+            return walker_growth(constants, range, history);
           case FatigueLaw::table:
             return law.table->growth(range,
                                      1. - history.range / history.largest);
@@ -65,12 +86,18 @@ namespace Crevasse
     double
     creep_growth(const CrackTipParameters &law, const TipHistory &history)
     {
-      const auto speed = [&law](const double driver) {
-        return law.creep_factor * std::pow(driver, law.creep_exponent);
+      const auto speed = [&law](const double driver, const double temperature) {
+        const GrowthConstants constants = law.constants(temperature);
+        return constants.creep_factor *
+               std::pow(driver, constants.creep_exponent);
       };
       if (needs_c_star(law))
-        return history.c_star ? speed(*history.c_star) * history.period()
+        return history.c_star ? speed(*history.c_star, history.temperature) *
+                                  history.period()
                               : std::numeric_limits<double>::quiet_NaN();
+      const auto temperature = [&history](const std::size_t k) {
+        return history.temperatures.empty() ? 0. : history.temperatures[k];
+      };
       const std::vector<double> &driver =
         law.creep_parameter == CreepParameter::C_of_t ? history.creep_integral
                                                       : history.intensity;
@@ -87,7 +114,8 @@ namespace Crevasse
                                              known);
           const double end   = known(driver[k]) ? driver[k] : begin;
           length += 0.5 * (history.instants[k] - history.instants[k - 1]) *
-                    (speed(std::max(begin, 0.)) + speed(std::max(end, 0.)));
+                    (speed(std::max(begin, 0.), temperature(k - 1)) +
+                     speed(std::max(end, 0.), temperature(k)));
         }
       return length;
     }
@@ -102,31 +130,30 @@ namespace Crevasse
     std::string       text;
     const std::string range =
       law.growth_range == GrowthRange::whole ? "dK" : "dK_eff";
-    const std::string C =
-                        "da/dN = " + Text::from_number(law.paris_factor) + " ",
-                      m = "^" + Text::from_number(law.paris_exponent);
+    const std::string C = "da/dN = " + text_of(law.paris_factor) + " ",
+                      m = "^" + text_of(law.paris_exponent);
     if (parts.fatigue == FatigueLaw::paris)
-      text =
-        C +
-        (law.paris_threshold > 0.
-           ? "(" + range + " - " + Text::from_number(law.paris_threshold) + ")"
-           : range) +
-        m;
+      text = C +
+             (!law.paris_threshold->is_zero()
+                ? "(" + range + " - " + text_of(law.paris_threshold) + ")"
+                : range) +
+             m;
     else if (parts.fatigue == FatigueLaw::walker)
-      text = C + range + m + (law.walker_exponent != 1. ? " f_R" : "") +
-             (law.paris_threshold > 0. ? " f_th" : "") +
-             (law.toughness > 0. ? " / f_c" : "");
+      text = C + range + m +
+             (text_of(law.walker_exponent) != "1" ? " f_R" : "") +
+             (!law.paris_threshold->is_zero() ? " f_th" : "") +
+             (!law.toughness->is_zero() ? " / f_c" : "");
     else if (parts.fatigue == FatigueLaw::table)
       text = "da/dN of " +
              law.growth_table.substr(law.growth_table.rfind('/') + 1) +
              " for " + range;
     if (parts.has_creep_part)
       text += (text.empty() ? "da/dt = " : ", and da/dt = ") +
-              Text::from_number(law.creep_factor) + " " +
+              text_of(law.creep_factor) + " " +
               (law.creep_parameter == CreepParameter::stress_intensity
                  ? "K"
                  : (needs_c_star(law) ? "C*" : "C(t)")) +
-              "^" + Text::from_number(law.creep_exponent);
+              "^" + text_of(law.creep_exponent);
     return text;
   }
 
@@ -138,6 +165,19 @@ namespace Crevasse
     return {fatigue_growth(law, history),
             traits(law.growth_law).has_creep_part ? creep_growth(law, history)
                                                   : 0.};
+  }
+
+
+
+  void
+  require_growth_constants(const CrackTipParameters &law,
+                           const Temperature<2>     &temperature,
+                           const dealii::Point<2>   &tip,
+                           const StepList           &steps)
+  {
+    if (law.depend_on_temperature())
+      for (unsigned int k = 0; k < steps.n_steps(); ++k)
+        law.constants(temperature.value(tip, steps.instant(k)));
   }
 
 
@@ -155,10 +195,13 @@ namespace Crevasse
                                          : value.get<double>());
       return values;
     };
+    const auto temperatures =
+      drivers.contains("theta") ? column("theta") : std::vector<double>();
     TipHistory history;
     if (drivers.contains("t"))
       {
-        history.instants  = column("t");
+        history.temperatures = temperatures;
+        history.instants     = column("t");
         history.intensity = history.creep_integral = column("driver");
         return {growth_over_period(law, history)};
       }
@@ -174,6 +217,7 @@ namespace Crevasse
         history.range           = range[k];
         history.effective_range = effective[k];
         history.c_star          = c_star[k];
+        history.temperature     = temperatures.empty() ? 0. : temperatures[k];
         growth.push_back(growth_over_period(law, history));
       }
     return growth;
@@ -197,14 +241,22 @@ namespace Crevasse
     tip["da_dN"]             = growth; // null if not finite
     tip["da_dN_fatigue"]     = parts.fatigue;
     tip["da_dN_creep"]       = parts.creep;
+    const bool breaks =
+      reaches_toughness(law.constants(history.temperature), history);
     if (!std::isfinite(growth))
-      tip["no_da_dN"] = "the growth law gives no finite growth";
+      tip["no_da_dN"] =
+        breaks ? "K_max reaches the Fracture toughness: the crack runs through"
+               : "the growth law gives no finite growth";
     tip["da_dt"] = growth / history.period();
-    log.line(title + "grows by " + Text::from_number(growth, 5) +
-             " a period (" + text +
-             (traits(law.growth_law).fatigue != FatigueLaw::none
-                ? "; in dK, K < 0 counts as 0)"
-                : ")"));
+    if (breaks)
+      log.line(title + "K_max reaches [Crack tip] Fracture toughness = " +
+               law.toughness.text() + ": the crack runs through");
+    else
+      log.line(title + "grows by " + Text::from_number(growth, 5) +
+               " a period (" + text +
+               (traits(law.growth_law).fatigue != FatigueLaw::none
+                  ? "; in dK, K < 0 counts as 0)"
+                  : ")"));
   }
 
 

@@ -106,6 +106,18 @@ namespace Crevasse
 
 
   Formula::Parser
+  FormulaParsers::growth_constant(const std::string &name,
+                                  const Range       &range) const
+  {
+    return formula_parser("[Crack tip] " + name,
+                          Variables::temperature,
+                          range,
+                          tables);
+  }
+
+
+
+  Formula::Parser
   FormulaParsers::gap_formula() const
   {
     return formula_parser("[Boundary] Gap",

@@ -277,63 +277,70 @@ namespace Crevasse
       not_negative);
     add_selection("Crack growth law", growth_law, prm);
     add_selection("Growth range", growth_range, prm);
-    prm.add_parameter(
+    const std::string formula  = " or a formula of theta with such values";
+    const std::string not_less = " Allowed: a number of at least 0" + formula;
+    const std::string positive = " Allowed: a number greater than 0" + formula;
+    const std::string used =
+      " Allowed: a number greater than 0 where it is used" + formula;
+    paris_factor.add_parameter(
       "Paris factor",
-      paris_factor,
       "Factor C of the laws of Paris and Walker: growth per period at dK - "
-      "dK_th = 1, in units of length / (stress sqrt(length))^m. Allowed: a "
-      "number greater than 0 where it is used",
-      not_negative);
-    prm.add_parameter("Paris exponent",
-                      paris_exponent,
-                      "Exponent m of the laws of Paris and Walker.",
-                      NumberPattern(Ranges::positive));
-    prm.add_parameter("Paris threshold",
-                      paris_threshold,
-                      "Threshold dK_th of the laws of Paris and Walker, in "
-                      "units of stress sqrt(length); below it the crack does "
-                      "not grow.",
-                      not_negative);
-    prm.add_parameter("Walker exponent",
-                      walker_exponent,
-                      "Exponent w in the factor f_R = (1 - R)^(-(1 - w) m) of "
-                      "Walker's law; with 1 R has no influence.",
-                      not_negative);
-    prm.add_parameter("Threshold exponent",
-                      threshold_exponent,
-                      "Number e in the factor f_th = 1 - exp(e (1 - "
-                      "dK/dK_th)) of Walker's law; 0: f_th is 1 above the "
-                      "threshold.",
-                      not_negative);
-    prm.add_parameter("Fracture toughness",
-                      toughness,
-                      "Intensity K_c at which the crack runs through, in units "
-                      "of stress sqrt(length), for crevasse life and for "
-                      "Walker's factor f_c; 0: none.",
-                      not_negative);
-    prm.add_parameter("Toughness exponent",
-                      toughness_exponent,
-                      "Number d in the factor f_c = 1 - exp(d (K_max/K_c - 1)) "
-                      "of Walker's law; 0: f_c is Forman's 1 - K_max/K_c.",
-                      not_negative);
+      "dK_th = 1, in units of length / (stress sqrt(length))^m. theta is the "
+      "temperature at the tip." +
+        used,
+      prm);
+    paris_exponent.add_parameter("Paris exponent",
+                                 "Exponent m of the laws of Paris and Walker." +
+                                   positive,
+                                 prm);
+    paris_threshold.add_parameter(
+      "Paris threshold",
+      "Threshold dK_th of the laws of Paris and Walker, in "
+      "units of stress sqrt(length); below it the crack does "
+      "not grow." +
+        not_less,
+      prm);
+    walker_exponent.add_parameter(
+      "Walker exponent",
+      "Exponent w in the factor f_R = (1 - R)^(-(1 - w) m) of "
+      "Walker's law; with 1 R has no influence." +
+        not_less,
+      prm);
+    threshold_exponent.add_parameter(
+      "Threshold exponent",
+      "Number e in the factor f_th = 1 - exp(e (1 - "
+      "dK/dK_th)) of Walker's law; 0: f_th is 1 above the "
+      "threshold." +
+        not_less,
+      prm);
+    toughness.add_parameter(
+      "Fracture toughness",
+      "Intensity K_c at which the crack runs through, in units "
+      "of stress sqrt(length); 0: none." +
+        not_less,
+      prm);
+    toughness_exponent.add_parameter(
+      "Toughness exponent",
+      "Number d in the factor f_c = 1 - exp(d (K_max/K_c - 1)) "
+      "of Walker's law; 0: f_c is Forman's 1 - K_max/K_c." +
+        not_less,
+      prm);
     prm.add_parameter("Growth table",
                       growth_table,
                       "CSV file with the columns Delta_K, R and da_dN of "
                       "measured growth, next to the scene file or in the "
                       "working directory.");
     add_selection("Creep growth parameter", creep_parameter, prm);
-    prm.add_parameter(
+    creep_factor.add_parameter(
       "Creep factor",
-      creep_factor,
       "Factor D of growth by creep: speed at P = 1, in units of length / time "
       "/ P^phi. The unit of C* and C(t) is stress length / time, that of K_I "
-      "is stress sqrt(length). Allowed: a number greater than 0 where it is "
-      "used",
-      not_negative);
-    prm.add_parameter("Creep exponent",
-                      creep_exponent,
-                      "Exponent phi of growth by creep.",
-                      NumberPattern(Ranges::positive));
+      "is stress sqrt(length)." +
+        used,
+      prm);
+    creep_exponent.add_parameter("Creep exponent",
+                                 "Exponent phi of growth by creep." + positive,
+                                 prm);
   }
 
 

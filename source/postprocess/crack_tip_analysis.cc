@@ -24,6 +24,7 @@ namespace Crevasse
     , body(body)
     , intensity(scene, body, tip, steps, geometry)
     , energy(body.material, intensity.points)
+    , has_temperature(!body.temperature.is_zero())
     , has_singular_functions(body.space.singular_shapes() != nullptr &&
                              !body.effects.viscosity.on &&
                              !body.material.stiffness_varies)
@@ -36,6 +37,10 @@ namespace Crevasse
         "[Crack tip] Creep growth parameter = C star: there is no C*: " +
         no_c_star + ". Set Creep growth parameter = stress intensity.");
     require_no_force_at_tip(scene, body, intensity.region, steps);
+    require_growth_constants(scene.crack_tip,
+                             body.temperature,
+                             tip.position,
+                             steps);
   }
 
 

@@ -29,6 +29,11 @@ namespace Crevasse
         if (analysis.has_singular_functions)
           all.emplace_back(name, v.of_singular_functions[mode]);
       };
+      const auto with_temperature = [&] {
+        if (analysis.has_temperature)
+          all.emplace_back("theta", v.temperature);
+        return all;
+      };
       if (analysis.intensity.region.tip.two_lips)
         {
           all = {{"K_I", v.intensity[0]},
@@ -42,7 +47,7 @@ namespace Crevasse
                  {"growth_angle_G", v.angle_of_release}};
           add_singular("K_I_singular", 0);
           add_singular("K_II_singular", 1);
-          return all;
+          return with_temperature();
         }
       all = {{"K_I", v.intensity[0]}, {"K_I_stress", v.of_stress}};
       add_singular("K_I_singular", 0);
@@ -50,7 +55,7 @@ namespace Crevasse
                  {{"K_I_error", v.error[0]},
                   {"energy_release_rate", v.release_rate},
                   {"strain_energy", v.energy}});
-      return all;
+      return with_temperature();
     }
   } // namespace
 
@@ -114,6 +119,8 @@ namespace Crevasse
     TipValues    values{};
     values.of_stress = estimate.of_stress;
     values.t_stress  = K[2];
+    if (analysis.has_temperature)
+      values.temperature = analysis.temperature(t);
     for (unsigned int mode = 0; mode < (place.two_lips ? 2 : 1); ++mode)
       {
         values.intensity[mode] = K[mode];
@@ -215,7 +222,7 @@ namespace Crevasse
         tip["strain_energy"] = {{"largest", largest(energy_of)}};
       }
     warn_of_uncertainty(summary);
-    summarise_growth(tip);
+    summarise_growth(summary, tip);
     if (place.two_lips)
       summary["crack_tips"].push_back(tip);
     else
@@ -322,65 +329,5 @@ namespace Crevasse
            "ranges of K_I and K_II) and da_dN assume modes in phase. Judge "
            "growth by K_I and K_II in crack_tip_N.csv",
          summary);
-  }
-
-
-
-  void
-  TipTable::summarise_growth(Summary &tip) const
-  {
-    TipHistory growing = history();
-    tip["Delta_K"]     = growing.range;
-    context.log.line(title + "Delta K " + Text::from_number(growing.range, 6) +
-                     (context.closure != nullptr && instants.size() > 1
-                        ? summarise_closure(growing, tip)
-                        : ""));
-    analysis.summarise_growth(growing, title, tip, context.log);
-  }
-
-
-
-  std::string
-  TipTable::summarise_closure(TipHistory &history, Summary &tip) const
-  {
-    const std::vector<LipMoment> lip = context.closure->lip_at(place.position);
-    const auto [wholly, partly]      = closed_parts(lip);
-    const auto worst =
-      std::max_element(of_last_period.begin(),
-                       of_last_period.end(),
-                       [](const TipValues &a, const TipValues &b) {
-                         return opening_of(a) < opening_of(b);
-                       });
-    const double most = largest(opening_of);
-    LipOpening   opens =
-      last_opening(lip, instants[worst - of_last_period.begin()]);
-    if (opens.why_not.empty())
-      opens.why_not = context.closure->failure;
-    tip["K_opening"] = tip["opening_ratio"] = Summary();
-    if (wholly + partly > 0.)
-      history.effective_range = TipHistory::not_known;
-    tip["closed_part"] = {{"wholly", wholly}, {"partly", partly}};
-    std::string line   = ", no K_op: " + opens.why_not;
-    if (opens.why_not.empty())
-      {
-        const auto at =
-          std::find(instants.begin(), instants.end(), opens.instant);
-        const double K_op = opening_of(of_last_period[at - instants.begin()]);
-        tip["K_opening"]  = K_op;
-        if (most > 0.)
-          tip["opening_ratio"] = K_op / most;
-        history.effective_range = equivalent_range(most - K_op);
-        line                    = Text::format(", Delta K_eff %.6g, K_op %.4g",
-                            history.effective_range,
-                            K_op);
-      }
-    else
-      tip["no_K_opening"] = opens.why_not;
-    tip["Delta_K_eff"] = history.effective_range; // null if not known
-    line += Text::format("; lip wholly closed for %.1f %% of the period",
-                         100. * wholly);
-    return partly < 5e-4 // prints as 0.0 %
-             ? line
-             : line + Text::format(", partly for %.1f %%", 100. * partly);
   }
 } // namespace Crevasse

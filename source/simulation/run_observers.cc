@@ -156,7 +156,7 @@ namespace Crevasse
               run.steps,
               run.choice.periods_are_iterates(),
               table("creep_integral" + number + ".csv",
-                    {"t", "C_t", "C_t_error"}),
+                    CreepIntegralTable::columns(integral.body)),
               run.log));
           }
       }

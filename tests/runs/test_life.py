@@ -11,6 +11,7 @@ import subprocess
 import types
 
 import numpy
+from scipy.integrate import trapezoid
 
 from crevasse_run import (PROGRAM, SOURCE, check, check_below, check_close, execute,
                           execute_on, full, wait_until)
@@ -18,6 +19,7 @@ from mpi_environment import ENVIRONMENT
 
 os.environ["CREVASSE_PROGRAM"] = str(PROGRAM)
 from crevasse.life_growth import Growth, Node, Reader, edges_of  # noqa: E402
+from crevasse.life_lengths import Lengths  # noqa: E402
 from crevasse.life_output import page, read  # noqa: E402
 from crevasse.program import Program  # noqa: E402
 from crevasse.results import parse_parameters  # noqa: E402
@@ -242,11 +244,93 @@ def test_laws():
     numpy.testing.assert_allclose(
         fatigue, [16e-3, 10e-3, 1e-3, math.nan, 1e-3 * 1.95**2 * (0.95 + 0.05 * 4), 0.],
         rtol=1e-12)
+    # The toughness comes before all else, also below a threshold and under a steady load.
+    broken = {"K_max": [10., 10.1, 9.9], "Delta_K": [0., 1., 1.],
+              "Delta_K_eff": [0., 1., 1.], "C_star": [math.nan] * 3}
+    for law in ("paris", "walker", "table"):
+        fatigue, _ = growth(broken, f"Crack growth law={law}", "Paris factor=1",
+                            "Paris threshold=3", "Fracture toughness=10",
+                            "Growth table=two.csv")
+        numpy.testing.assert_equal(fatigue[:2], [math.inf, math.inf], law)
+        check(not fatigue[2] > 0., law)
     # A closed crack, of which R is not known, does not grow.
     closed = {"K_max": [0.], "Delta_K": [0.], "Delta_K_eff": [0.], "C_star": [math.nan]}
     for law in (["table", "Growth table=two.csv"],
                 ["walker", "Paris factor=1", "Paris exponent=2"]):
         check(growth(closed, f"Crack growth law={law[0]}", *law[1:])[0][0] == 0., law[0])
+
+
+def test_constants_of_temperature():
+    """A constant that is a formula of theta is the number that it has there: of drivers,
+    in a run, and over the lengths of a life whose tip moves to other temperatures."""
+    columns = {"K_max": [2., 3.], "Delta_K": [1., 2.], "Delta_K_eff": [1., 2.],
+               "C_star": [1e-3, 2e-3], "theta": [100., 50.]}
+    law = ["Crack growth law=sum", "Paris factor=1e-3*(1 + 0.01*theta)",
+           "Paris exponent=2 + theta/100", "Creep factor=exp(theta/100)",
+           "Creep exponent=0.5"]
+    fatigue, creep = growth(columns, *law)
+    numpy.testing.assert_allclose(fatigue, [2e-3, 1.5e-3 * 2**2.5], rtol=1e-12)
+    numpy.testing.assert_allclose(
+        creep, 2 * numpy.exp([1., 0.5]) * numpy.sqrt(columns["C_star"]), rtol=1e-12)
+    t, K, theta = numpy.array([0., 0.5, 2.]), numpy.array([0., 4., 1.]), [0., 100., 200.]
+    _, creep = growth({"t": t, "driver": K, "theta": theta}, *law[:1], "Paris factor=1",
+                      "Creep growth parameter=stress intensity", *law[3:])
+    speed = numpy.exp(numpy.array(theta) / 100) * numpy.sqrt(K)
+    numpy.testing.assert_allclose(creep, [trapezoid(speed, t)], rtol=1e-12)
+
+    def summary(name, *words):
+        directory = pathlib.Path("results") / name
+        code, _, error = execute(STRIP, "--output", directory, "--force", "--quiet",
+                                 *COARSE, *words)
+        check(code == 0, error)
+        return json.loads((directory / "summary.json").read_text())
+    warm = "Paris factor=1 + 0.01*theta"
+    plain = summary("plain")["crack_tip"]["da_dN"]
+    for temperature, factor in (("100", 2), ("100*t", 2), ("200*x", 2), ("0", 1)):
+        found = summary("warm", "--set", f"Loads/Temperature={temperature}", *of_law(warm))
+        tip = found["crack_tip"]
+        check_close(tip["da_dN"] / plain, factor, 1e-12, f"growth at {temperature}")
+        check(temperature == "0" or not any("not used" in text for text in
+                                            found["warnings"]), f"{found['warnings']}")
+    _, table, _ = life("warm_life", "--from", "0.2", "--to", "0.6", *COARSE, "--error", "0.5",
+                       "--set", "Loads/Temperature=100*x", *of_law(
+                           warm, "Fracture toughness=6 - 0.05*theta"))
+    check_below(abs(table["da_dN_fatigue"] / table["Delta_K"]**3 / (
+        1 + table["x"]) - 1)[:-1].max(), 1e-9, "over the lengths")
+    check_close(table["K_max"][-1] / (6 - 5 * table["x"][-1]), 1, 1e-9, "at the toughness")
+    for text, message in (("theta - 100", "Paris exponent = theta - 100: is -100 at theta"),
+                          ("theta*x", "Paris exponent")):
+        code, _, error = execute(STRIP, "--output", "results/wrong", "--force", "--quiet",
+                                 *COARSE, *of_law(f"Paris exponent={text}"))
+        check(code == 2 and message in error, error)
+
+
+def test_transition():
+    """A run, too, says how long creep needs to be steady, and how far the crack grows."""
+    for length, warns in ((10, False), (30, True)):
+        code, _, error = execute(
+            SOURCE / "prm/crack_growth.prm", "--output", "results/transition", "--force",
+            "--quiet", "--set", f"Geometry/Crack length={length}")
+        check(code == 0, error)
+        found = json.loads(pathlib.Path("results/transition/summary.json").read_text())
+        check_close(found["crack_tip"]["transition_time"], 2e9 / 170000, 100, "G/C*")
+        check(any("before creep is steady" in text for text in found["warnings"]) == warns,
+              f"{found['warnings']}")
+        check("creep is steady after" in pathlib.Path("results/transition/log.txt"
+                                                      ).read_text(), "the log")
+
+
+def test_next_length():
+    """Lengths beyond the toughness, or where the law ends, do not take the weights from
+    the others."""
+    lengths = Lengths.__new__(Lengths)
+    lengths.all = numpy.linspace(0.1, 0.9, 9)
+    rates = numpy.exp(8 * lengths.all)
+    first = lengths.next([0, 8], rates)
+    check(first < 4, "the crack spends its time where it is short")
+    for lost in (math.inf, math.nan):
+        rates[7:] = lost
+        check(lengths.next([0, 8], rates) == first, f"{lost}: another length")
 
 
 def test_interrupted():

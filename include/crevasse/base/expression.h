@@ -36,6 +36,7 @@ namespace Crevasse
     struct Variables
     {
       static constexpr const char *time           = "t";
+      static constexpr const char *temperature    = "theta";
       static constexpr const char *space          = "x, y, z";
       static constexpr const char *space_and_time = "x, y, z, t";
       static constexpr const char *space_time_and_material =

@@ -53,6 +53,10 @@ namespace Crevasse
     Formulas::Parser
     load_components(const std::string &name) const;
 
+    /** Parses a constant of a growth law: a formula of theta. */
+    Formula::Parser
+    growth_constant(const std::string &name, const Range &range) const;
+
     /** Parses the gap: a formula of the point, with values of at most 0. */
     Formula::Parser
     gap_formula() const;

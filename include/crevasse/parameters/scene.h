@@ -29,7 +29,7 @@ namespace Crevasse
     LinearSolverParameters    linear_solver;
     TimeIntegrationParameters time_integration;
     PeriodicStateParameters   periodic_state;
-    CrackTipParameters        crack_tip;
+    CrackTipParameters        crack_tip{{tables.functions}};
     OutputParameters          output;
 
     /** Whether the body is one of revolution: x is the radius, y the axis. */

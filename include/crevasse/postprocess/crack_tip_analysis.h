@@ -35,6 +35,26 @@ namespace Crevasse
     std::optional<double>
     c_star(const std::optional<SecularFlow> &flow) const;
 
+    /** Temperature at the tip. @param t within the period. */
+    double
+    temperature(const double t) const
+    {
+      return body.temperature.value(intensity.region.tip.position, t);
+    }
+
+    /** Time G/C* in which a Maxwell body with a crack at rest comes to steady
+     * creep, with the energy release rate G of the mean load (Riedel and Rice,
+     * ASTM STP 700, 1980).
+     * @param mean K_I and K_II of the mean load. */
+    double
+    transition_time(const std::array<double, 2> &mean,
+                    const double                 c_star) const
+    {
+      return (mean[0] * mean[0] + mean[1] * mean[1]) /
+             (body.law.stiffness_factor(0.) *
+              intensity.elasticity(0.).modulus() * c_star);
+    }
+
     /** K by the coefficient of the singular function with unit K in this mode;
      * 0 without has_singular_functions. Collective. */
     double
@@ -60,6 +80,7 @@ namespace Crevasse
     const Body<2>        &body;
     const StressIntensity intensity;
     const StrainEnergy    energy;
+    const bool            has_temperature; ///< whether it may differ from 0
     /** Whether the coefficients of singular functions are intensities. */
     const bool  has_singular_functions;
     std::string no_c_star; ///< reason for no C*, or empty

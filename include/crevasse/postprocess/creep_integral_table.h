@@ -28,7 +28,7 @@ namespace Crevasse
     /** References must outlive the CreepIntegralTable. Collective.
      *
      * @param periods_are_iterates whether the state jumps between periods.
-     * @param table with the columns t, C_t, C_t_error. */
+     * @param table with the columns(). */
     CreepIntegralTable(const Scene         &scene,
                        const CreepIntegral &integral,
                        const StepList      &steps,
@@ -42,8 +42,21 @@ namespace Crevasse
       , log(log)
       , table(std::move(table))
     {
+      require_growth_constants(law,
+                               integral.body.temperature,
+                               integral.region.tip.position,
+                               steps);
       for (Vector &displacement : before)
         integral.body.strain_operator.initialize(displacement);
+    }
+
+    static std::vector<std::string>
+    columns(const Body<2> &body)
+    {
+      std::vector<std::string> names = {"t", "C_t", "C_t_error"};
+      if (has_temperature(body))
+        names.emplace_back("theta");
+      return names;
     }
 
     void
@@ -53,6 +66,7 @@ namespace Crevasse
         {
           history.instants.clear();
           history.creep_integral.clear();
+          history.temperatures.clear();
           errors.clear();
         }
       if ((sample.step == 0 &&
@@ -65,8 +79,15 @@ namespace Crevasse
       history.instants.push_back(sample.instant);
       history.creep_integral.push_back(value);
       errors.push_back(error);
+      std::vector<double> row = {sample.time, value, error};
+      if (has_temperature(integral.body))
+        {
+          row.push_back(integral.body.temperature.value(
+            integral.region.tip.position, steps.within_period(sample.instant)));
+          history.temperatures.push_back(row.back());
+        }
       if (!std::isnan(value))
-        table.add_row({sample.time, value, error});
+        table.add_row(row);
 
       before[0].swap(before[1]);
       times[1]  = times[0];
@@ -81,6 +102,7 @@ namespace Crevasse
       archive.section("creep integral");
       archive.common(history.instants);
       archive.common(history.creep_integral);
+      archive.common(history.temperatures);
       archive.common(errors);
       archive.common(n_before);
       for (const unsigned int k : {0, 1})
@@ -103,6 +125,8 @@ namespace Crevasse
                                 history.instants.end(),
                                 largest.instant) -
                history.instants.begin()];
+      if (!history.temperatures.empty())
+        history.temperature = history.temperatures.back();
       std::size_t last = C.size() - 1;
       while (std::isnan(C[last])) // no C after a jump
         --last;
@@ -126,6 +150,12 @@ namespace Crevasse
     }
 
   private:
+    static bool
+    has_temperature(const Body<2> &body)
+    {
+      return !body.temperature.is_zero();
+    }
+
     /** Computes C(t) and its error. */
     std::array<double, 2>
     evaluate(const Sample &sample) const

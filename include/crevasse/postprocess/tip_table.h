@@ -38,6 +38,7 @@ namespace Crevasse
     double equivalent;
     double t_stress;
     double angle_of_release; ///< direction of largest G in degrees
+    double temperature;
   };
 
   /**
@@ -195,8 +196,15 @@ namespace Crevasse
         history.intensity.push_back(values.equivalent);
       const auto [least, most] =
         range([](const TipValues &v) { return v.intensity[0]; });
-      history.largest =
-        std::max(largest([](const TipValues &v) { return v.equivalent; }), 0.);
+      const auto worst = SeriesExtremes(instants, history.intensity).largest;
+      history.largest  = std::max(worst.value, 0.);
+      if (analysis.has_temperature)
+        {
+          for (const TipValues &values : of_last_period)
+            history.temperatures.push_back(values.temperature);
+          history.temperature =
+            analysis.temperature(context.steps.within_period(worst.instant));
+        }
       history.range =
         equivalent_range(std::max(most, 0.) - std::max(least, 0.));
       history.effective_range = history.range;
@@ -206,7 +214,14 @@ namespace Crevasse
 
     /** Adds ΔK, K_op, ΔK_eff, C* and growth to the summary. */
     void
-    summarise_growth(Summary &tip) const;
+    summarise_growth(Summary &summary, Summary &tip) const;
+
+    /** Adds the time until creep is steady, and warns if the crack grows far
+     * meanwhile, so that C* does not describe its growth. */
+    void
+    judge_transition(const TipHistory &history,
+                     Summary          &summary,
+                     Summary          &tip) const;
 
     /** Adds the opening intensity K_op (Elber, ASTM STP 486, 1971), ΔK_eff, and
      * the fraction of the period with a closed lip, and sets ΔK_eff of the

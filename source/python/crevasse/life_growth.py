@@ -9,14 +9,12 @@ import json
 import tempfile
 
 import numpy
-from scipy.integrate import trapezoid
 from scipy.interpolate import BarycentricInterpolator, PchipInterpolator
-from scipy.optimize import brentq
 
 from crevasse import findings
 from crevasse.command import CommandError
 from crevasse.program import message_of, options
-from crevasse.results import at
+from crevasse.results import at, number
 from crevasse.run_reader import Run
 
 # What the law depends on, and the power of the length with which it grows in a large
@@ -39,6 +37,7 @@ class Node:
     angle: float
     transition: float  # time until creep is steady
     creep: tuple  # growth a period, where a history drives it, also with the error
+    theta: float = 0.  # temperature at K_max
 
 
 def last_period(table, period):
@@ -62,7 +61,7 @@ class Reader:
         self.history = {"C(t)": "C_t", "stress intensity": "K"}.get(driver)
         self.needs_K = driver != "C(t)"
         self.effective = scene["Crack tip/Growth range"] == "Delta K eff"
-        self.toughness = float(scene["Crack tip/Fracture toughness"])
+        self.has_toughness = number(scene["Crack tip/Fracture toughness"]) != 0.
         self.tip = tip
 
     def ask(self, drivers):
@@ -106,15 +105,16 @@ class Reader:
         error = 0. if numpy.isnan(error) else error
         creep = numpy.nan, numpy.nan
         if self.history:
-            t, driver = self.table(run)
+            t, driver, theta = self.table(run)
             power = 1 if self.history == "K" else 2
-            creep = [self.ask({"t": t, "driver": factor**power * driver})[1][0]
-                     for factor in (1, 1 + error)]
+            creep = [self.ask({"t": t, "driver": factor**power * driver,
+                               "theta": theta})[1][0] for factor in (1, 1 + error)]
         closed = at(tip, ("closed_part", "wholly")), at(tip, ("closed_part", "partly"))
         return Node(a, drivers, (drivers["Delta_K"] >= K * (1 - ROUNDING), any(closed)),
                     error, tip["position"],
                     0. if numpy.isnan(of_tip("growth_angle")) else tip["growth_angle"],
-                    self.transition(run, of_tip), creep)
+                    of_tip("transition_time") if self.needs_c_star else numpy.nan,
+                    creep, at(tip, ("theta",)) or 0.)
 
     def require(self, a, tip, drivers):
         if self.needs_K and numpy.isnan(drivers["K_max"]):
@@ -126,38 +126,27 @@ class Reader:
             raise CommandError(f"at a = {a:g} Delta_K_eff is not known: "
                                f"{tip.get('no_K_opening')}", 3)
 
-    def table_of_tip(self, run, name):
-        return run.tables.get(f"{name}.csv") or run.tables[f"{name}_{self.tip or 1}.csv"]
-
     def table(self, run):
-        """Instants and driver of creep in the last period."""
-        table = self.table_of_tip(run, "crack_tip" if self.history == "K"
-                                  else "creep_integral")
+        """Instants, driver of creep and temperatures in the last period."""
+        name = "crack_tip" if self.history == "K" else "creep_integral"
+        table = run.tables.get(f"{name}.csv") or run.tables[f"{name}_{self.tip or 1}.csv"]
         column = table.get("equivalent_intensity", table.get("K_I", table.get("C_t")))
         last = last_period(table, self.period)
         t, driver = table["t"][last], column[last]
+        theta = table.get("theta", numpy.zeros(len(column)))[last]
         begin = table["t"][-1] - self.period
         if t[0] > begin + ROUNDING * self.period:  # C(t) is not known at first
-            t, driver = numpy.append(begin, t), numpy.append(numpy.nan, driver)
-        return t, driver
-
-    def transition(self, run, of_tip):
-        """Energy release rate of the mean load over C*: the time in which a Maxwell body
-        with a crack at rest comes to steady creep."""
-        flow, K = of_tip("C_star"), of_tip("K_I", "largest")
-        if not self.needs_c_star or not flow > 0. or not K > 0.:
-            return numpy.nan
-        table = self.table_of_tip(run, "crack_tip")
-        last = last_period(table, self.period)
-        t = table["t"][last]
-        mean = trapezoid(table["K_I"][last], t) / numpy.ptp(t)
-        return mean**2 * of_tip("energy_release_rate", "largest") / K**2 / flow
+            t, driver, theta = (numpy.append(first, rest) for first, rest in (
+                (begin, t), (numpy.nan, driver), (theta[-1], theta)))
+        return t, driver, theta
 
 
 def curve(a, values, power):
-    """Interpolates values, which are nan if unknown: the logarithm of what is left of
-    them without a power of a by a polynomial; where they are not positive, piecewise and
-    monotone."""
+    """Interpolates the values of a driver over the lengths a. What grows like a**power
+    in a large body varies little after division by that: where it is positive at all
+    lengths, its logarithm is interpolated by a polynomial. Values that are 0 somewhere
+    have no logarithm: they are interpolated by monotone cubics. A driver that is unknown
+    (nan) at a length is unknown between the lengths, too."""
     rest = values / a**power
     if not (rest > 0.).all():
         if numpy.isnan(rest).any():
@@ -169,8 +158,10 @@ def curve(a, values, power):
 
 
 def curves(a, nodes):
-    """Interpolates all drivers. Where the tip or the lip begins to close K_min or K_op has
-    a kink, but not K_max: they are interpolated piecewise, and not the ranges."""
+    """Interpolates all drivers. The length at which a tip or a lip begins to close is a
+    kink of K_min or K_op, and so of the ranges, but not of K_max. With such a length
+    among the nodes, K_min and K_op are interpolated by monotone cubics, which a kink
+    spoils only near itself, and each range is K_max less one of them."""
     values = {name: numpy.array([node.drivers[name] for node in nodes])
               for name in DRIVERS}
     found = {name: curve(a, values[name], power) for name, power in DRIVERS.items()}
@@ -185,8 +176,8 @@ def curves(a, nodes):
 
 
 def kink(nodes):
-    """The lengths between which a tip or a lip that stays open begins to close, or ends
-    to."""
+    """The two neighbouring lengths between which the tip or the lip begins to close at
+    times, or ceases to; None if there are none. Node.state says whether it closes."""
     return next(((one.a, other.a) for one, other in zip(nodes, nodes[1:])
                  if one.state != other.state), None)
 
@@ -202,6 +193,8 @@ class Growth:
         self.curves = [curves(self.a, own) for own in nodes]
         self.creep = [curve(self.a, numpy.array([node.creep[with_error] for node in own]),
                             0.) for own in nodes]
+        self.theta = [PchipInterpolator(self.a, [node.theta for node in own])
+                      for own in nodes]
         # Errors are no smooth function of the length.
         self.errors = [PchipInterpolator(self.a, [with_error * node.error for node in own])
                        for own in nodes]
@@ -213,10 +206,12 @@ class Growth:
     def rates(self, a):
         """Growth by fatigue and by creep a period of the first scene."""
         total = numpy.zeros((2, len(a)))
-        for reader, share, lines, creep, error in zip(
-                self.readers, self.shares, self.curves, self.creep, self.errors):
-            growth = reader.ask({name: line(a) * (1 + error(a))**(2 * DRIVERS[name])
-                                 for name, line in lines.items()})
+        for reader, share, lines, creep, error, theta in zip(
+                self.readers, self.shares, self.curves, self.creep, self.errors,
+                self.theta):
+            growth = reader.ask({"theta": theta(a), **{
+                name: line(a) * (1 + error(a))**(2 * DRIVERS[name])
+                for name, line in lines.items()}})
             if reader.history:
                 growth[1] = creep(a)
             total += share * growth
@@ -226,16 +221,20 @@ class Growth:
         return numpy.max([lines["K_max"](a) for lines in self.curves], axis=0)
 
     def length_at_toughness(self, start, end):
-        """The length at which K_max reaches the toughness; None if it does not."""
-        limit = min((reader.toughness for reader in self.readers if reader.toughness),
-                    default=numpy.inf)
-        a = numpy.linspace(start, end, 1001)
-        beyond = self.largest_K(a) >= limit
-        if not beyond.any():
+        """The length at which K_max reaches the toughness, from which on the law gives
+        infinite growth; None if it does not."""
+        if not any(reader.has_toughness for reader in self.readers):
             return None
-        k = beyond.argmax()
-        return start if k == 0 else brentq(
-            lambda x: self.largest_K(numpy.array([x]))[0] - limit, a[k - 1], a[k])
+        for _ in range(4):  # to 1e-12
+            a = numpy.linspace(start, end, 1001)
+            beyond = numpy.isinf(self.rates(a)[0])
+            if not beyond.any():
+                return None
+            k = beyond.argmax()
+            if k == 0:
+                return start
+            start, end = a[k - 1], a[k]
+        return end
 
     def integrate(self, edges):
         """Lengths at the edges of parts, the growth and N there, up to where the law
