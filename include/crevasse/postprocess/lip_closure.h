@@ -21,7 +21,8 @@ namespace Crevasse
    * The instants at which a lip becomes, or ceases to be, wholly open or closed
    * are found after the last period, to 10⁻⁶ of a step: the variational
    * inequality is solved between two samples, with the loads of that instant
-   * and a viscous strain that is linear in time. A node changes where the
+   * and a viscous strain that is cubic in time, by its values and rates at both
+   * samples. A node changes where the
    * straight line through its last two pressures, or openings, vanishes; half
    * way if that is much later, as at jumps.
    */
@@ -80,6 +81,9 @@ namespace Crevasse
       double       begin, end;
       double       begin_of_period; ///< time since the start of the run
       Vector       strain_at_begin, strain_at_end;
+      /** Rates less the mean rate of the step, 0 where they are far from it, as
+       * of branches that relax within the step. Empty until they are needed. */
+      Vector rate_at_begin = {}, rate_at_end = {};
     };
 
     /** State of the contact nodes of all ranks at an instant: the opening of
@@ -109,6 +113,10 @@ namespace Crevasse
      * the next call. Collective. */
     Sample
     sample_at(const double instant);
+
+    /** Finds the rates at the ends of a step. Collective. */
+    void
+    find_rates(Change &step);
 
     /** Adds moments at which a lip starts or ceases to be wholly open or closed
      * in a step. Collective. */

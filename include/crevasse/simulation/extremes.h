@@ -86,8 +86,11 @@ namespace Crevasse
     summarise(Summary &summary) override
     {
       find_largest();
-      Summary &extremes        = summary["extremes"];
-      extremes["stress"]       = state.largest_stress;
+      // Stress has kinks where lips change: those of the last period were
+      // found.
+      state.largest_stress = std::max(state.largest_stress, largest_of(stress));
+      Summary &extremes    = summary["extremes"];
+      extremes["stress"]   = state.largest_stress;
       extremes["displacement"] = state.largest_displacement;
       if (const std::string why =
             why_stress_is_unbounded(body.space.mesh(), body.space.roles);
@@ -158,11 +161,10 @@ namespace Crevasse
       return std::max(0., SeriesExtremes(instants, series).largest.value);
     }
 
-    /** Takes what was larger between the steps of the last period. */
+    /** Takes what was larger between the steps of the period. */
     void
     find_largest()
     {
-      state.largest_stress = std::max(state.largest_stress, largest_of(stress));
       state.largest_displacement =
         std::max(state.largest_displacement, largest_of(displacement));
       state.largest_opening =
