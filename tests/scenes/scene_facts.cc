@@ -36,7 +36,9 @@ main(int, char **argv)
   std::cout << '\n' << std::setprecision(10);
   for (const auto &[name, size] : summary.at("extremes").items())
     std::cout << "largest " << name << ", scaled: "
-              << size.get<double>() / (name == "stress" ? 10. : 1e-3) << '\n';
+              << size.get<double>() /
+                   (name == "displacement" || name == "opening" ? 1e-3 : 10.)
+              << '\n';
   for (const double change : summary.at("stress_change"))
     std::cout << "change of stress: " << change << '\n';
 
