@@ -127,6 +127,11 @@ doc/getting_started.md tells more.
                     "materials, supports and worst cells as a page for a "
                     "browser")
         ->type_name("FILE.html");
+      app.add_flag(
+        "--trust-mesh",
+        command.trust_mesh,
+        "Let a .geo file as [Geometry] Mesh file start programs, and "
+        "read and write files");
       app
         .add_flag("--resume",
                   command.resume,

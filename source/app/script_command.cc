@@ -159,9 +159,13 @@ namespace Crevasse
           mesh_file_of(command.scene_file, command.overrides);
         const std::string to = converted_mesh(from);
         std::error_code   unknown;
-        if (to.empty() || fs::exists(to, unknown))
+        if (to.empty() || (fs::exists(to, unknown) && !command.trust_mesh))
           return done;
-        return wait_for_script({"crevasse", "mesh", from, to}, command.quiet);
+        std::vector<std::string> words = {"crevasse", "mesh", from, to};
+        if (command.trust_mesh) // files that it reads may have changed
+          words.push_back("--trust-mesh");
+        return wait_for_script(words,
+                               command.quiet || !command.print_format.empty());
       }
     catch (const std::exception &) // reported when the scene is read
       {

@@ -61,11 +61,19 @@ namespace Crevasse
   converted_mesh(const std::string &mesh_file)
   {
     // deal.II reads .inp files of UCD, which do not begin with a star.
-    static const std::set<std::string> suffixes = {
-      ".inp", ".unv", ".med", ".e", ".exo", ".ex2", ".vtk", ".vtu"};
-    const std::string suffix = Text::suffix(mesh_file);
-    std::ifstream     file(mesh_file);
-    char              first = 0;
+    static const std::set<std::string> suffixes = {".inp",
+                                                   ".unv",
+                                                   ".med",
+                                                   ".e",
+                                                   ".exo",
+                                                   ".ex2",
+                                                   ".vtk",
+                                                   ".vtu",
+                                                   ".geo",
+                                                   ".brep"};
+    const std::string                  suffix   = Text::suffix(mesh_file);
+    std::ifstream                      file(mesh_file);
+    char                               first = 0;
     if (suffixes.count(suffix) == 0 || !(file >> first) ||
         (suffix == ".inp" && first != '*'))
       return "";

@@ -67,7 +67,8 @@ namespace Crevasse
       "edges: with Degree = 2 cells are curved, in the plane also after "
       "refinement. A file of Abaqus or CalculiX (.inp), UNV, MED, Exodus (.e, "
       ".exo) or VTK (.vtk, .vtu) is converted before the run, to a Gmsh file "
-      "in results/meshes. Allowed: a Gmsh file (.msh), one of these, or "
+      "in results/meshes; a geometry (.geo, .brep) is meshed by Gmsh. Allowed: "
+      "a Gmsh file (.msh), one of these, or "
       "another format that deal.II reads");
     subdivisions.add_parameter(
       "Subdivisions",

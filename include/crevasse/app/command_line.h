@@ -34,6 +34,7 @@ namespace Crevasse
     bool   force         = false; ///< whether to replace earlier results
     double wall_time     = 0.;    ///< seconds; 0: unlimited
     bool   stress_record = false; ///< whether to use StressWriter
+    bool   trust_mesh    = false; ///< whether a .geo file may do anything
 
     /** Whether to exit at once: after help, version, or a reported mistake. */
     bool       exit   = false;

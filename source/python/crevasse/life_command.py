@@ -11,6 +11,7 @@ import pathlib
 
 from crevasse.advise import target_error
 from crevasse.command import Parser, count
+from crevasse.life_path import PathLife
 from crevasse.life_run import Life
 from crevasse.results import number
 from crevasse.sweep import make_runs
@@ -75,6 +76,12 @@ def arguments(words):
     parser.add_argument("--block", action="append", default=[], type=share,
                         metavar="SCENE=SHARE", help="another scene that a period of the "
                         "first is followed by so many periods of; may be repeated")
+    parser.add_argument("--path", action="store_true", help="let the crack turn: the "
+                        "body, a .geo file, is meshed anew after each step")
+    parser.add_argument("--step", type=length, metavar="LENGTH", help="steps of --path (a "
+                        "tenth of the first crack length)")
+    parser.add_argument("--trust-mesh", action="store_true", help="let a .geo file start "
+                        "programs, and read and write files")
     parser.add_argument("--jobs", type=count, metavar="N", help="number of runs at the "
                         "same time (the number of cores; 1 with mpirun)")
     parser.add_common("results/<scene name>_life")
@@ -85,5 +92,6 @@ def arguments(words):
 
 
 def main(words):
-    return make_runs(Life, arguments(words), "life.log", "The finished runs are kept: "
-                     "repeat the command to continue.")
+    options = arguments(words)
+    return make_runs(PathLife if options.path else Life, options, "life.log",
+                     "The finished runs are kept: repeat the command to continue.")

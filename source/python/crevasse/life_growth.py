@@ -62,7 +62,7 @@ class Reader:
         self.needs_K = driver != "C(t)"
         self.effective = scene["Crack tip/Growth range"] == "Delta K eff"
         self.has_toughness = number(scene["Crack tip/Fracture toughness"]) != 0.
-        self.tip = tip
+        self.tip, self.place = tip, None  # a number, or near which place
 
     def ask(self, drivers):
         """Growth by fatigue and by creep for lists of drivers."""
@@ -80,6 +80,9 @@ class Reader:
         tips = findings.tips_of(run.summary)
         if not tips:
             raise CommandError(f"{run.directory}: the run has no crack tip.", 2)
+        if self.place is not None:
+            distances = [numpy.linalg.norm(self.place - tip["position"]) for tip in tips]
+            self.tip = 1 + int(numpy.argmin(distances))
         if len(tips) > 1 and not self.tip or self.tip and self.tip > len(tips):
             places = "; ".join(f"{k}: ({', '.join(f'{x:g}' for x in tip['position'])})"
                                for k, tip in enumerate(tips, 1))
@@ -111,10 +114,17 @@ class Reader:
                                "theta": theta})[1][0] for factor in (1, 1 + error)]
         closed = at(tip, ("closed_part", "wholly")), at(tip, ("closed_part", "partly"))
         return Node(a, drivers, (drivers["Delta_K"] >= K * (1 - ROUNDING), any(closed)),
-                    error, tip["position"],
-                    0. if numpy.isnan(of_tip("growth_angle")) else tip["growth_angle"],
+                    error, tip["position"], self.angle(tip),
                     of_tip("transition_time") if self.needs_c_star else numpy.nan,
                     creep, at(tip, ("theta",)) or 0.)
+
+    def angle(self, tip):
+        """Direction of growth from straight ahead; of a path from the x axis."""
+        angle = tip.get("growth_angle") or 0.
+        if self.place is None:
+            return angle
+        x, y = tip["direction"]
+        return angle + numpy.degrees(numpy.arctan2(y, x))
 
     def require(self, a, tip, drivers):
         if self.needs_K and numpy.isnan(drivers["K_max"]):
@@ -141,30 +151,33 @@ class Reader:
         return t, driver, theta
 
 
-def curve(a, values, power):
+def curve(a, values, power, piecewise=False):
     """Interpolates the values of a driver over the lengths a. What grows like a**power
     in a large body varies little after division by that: where it is positive at all
-    lengths, its logarithm is interpolated by a polynomial. Values that are 0 somewhere
-    have no logarithm: they are interpolated by monotone cubics. A driver that is unknown
-    (nan) at a length is unknown between the lengths, too."""
+    lengths, its logarithm is interpolated by a polynomial, or by monotone cubics if that
+    is to be piecewise. Values that are 0 somewhere have no logarithm: they are
+    interpolated by monotone cubics. A driver that is unknown (nan) at a length is unknown
+    between the lengths, too."""
     rest = values / a**power
     if not (rest > 0.).all():
         if numpy.isnan(rest).any():
             return lambda x: numpy.full(numpy.shape(x), numpy.nan)
         line = PchipInterpolator(a, rest)
         return lambda x: x**power * numpy.maximum(line(x), 0.)
-    line = BarycentricInterpolator(a, numpy.log(rest))
+    line = (PchipInterpolator if piecewise else BarycentricInterpolator)(
+        a, numpy.log(rest))
     return lambda x: x**power * numpy.exp(line(x))
 
 
-def curves(a, nodes):
+def curves(a, nodes, piecewise):
     """Interpolates all drivers. The length at which a tip or a lip begins to close is a
     kink of K_min or K_op, and so of the ranges, but not of K_max. With such a length
     among the nodes, K_min and K_op are interpolated by monotone cubics, which a kink
     spoils only near itself, and each range is K_max less one of them."""
     values = {name: numpy.array([node.drivers[name] for node in nodes])
               for name in DRIVERS}
-    found = {name: curve(a, values[name], power) for name, power in DRIVERS.items()}
+    found = {name: curve(a, values[name], power, piecewise)
+             for name, power in DRIVERS.items()}
     if kink(nodes):
         def above(lower):
             return lambda x: found["K_max"](x) - numpy.sqrt(x) * lower(x)
@@ -186,13 +199,13 @@ class Growth:
     """Growth between the lengths of some nodes of one or more scenes, by K as computed or
     with its estimated error."""
 
-    def __init__(self, readers, shares, nodes, with_error=False):
+    def __init__(self, readers, shares, nodes, with_error=False, piecewise=False):
         """@param nodes a list for each scene."""
         self.readers, self.shares, self.nodes = readers, shares, nodes
         self.a = numpy.array([node.a for node in nodes[0]])
-        self.curves = [curves(self.a, own) for own in nodes]
+        self.curves = [curves(self.a, own, piecewise) for own in nodes]
         self.creep = [curve(self.a, numpy.array([node.creep[with_error] for node in own]),
-                            0.) for own in nodes]
+                            0., piecewise) for own in nodes]
         self.theta = [PchipInterpolator(self.a, [node.theta for node in own])
                       for own in nodes]
         # Errors are no smooth function of the length.

@@ -36,6 +36,8 @@ def without_law(scene, usual):
 
 
 class Life:
+    piecewise = False  # whether drivers are interpolated piecewise
+
     def __init__(self, options, program, log):
         self.options, self.program, self.log = options, program, log
         members = [(options.scene, 1.), *options.block]
@@ -47,7 +49,7 @@ class Life:
         self.readers = [Reader(program, file, options.set, scene, options.tip)
                         for file, scene in zip(self.files, scenes)]
         self.law = scenes[0]["Crack tip/Crack growth law"]
-        self.lengths = Lengths(options, scenes[0])
+        self.lengths = self.possible_lengths(options, scenes[0])
         call = program.finish(program.start("--print-parameters", "json"))
         usual = json.loads(call.output)["Crack tip"]
         self.own = [without_law(scene, usual) for scene in scenes]
@@ -59,6 +61,13 @@ class Life:
         self.refinements = [int(scene["Geometry/Refinements"]) for scene in scenes]
         self.nodes, self.warnings, self.levels, self.new_runs = {}, {}, {}, 0
         self.runs = 0
+
+    def possible_lengths(self, options, scene):
+        return Lengths(options, scene)
+
+    def name(self, k):
+        """The name of the folder of a length."""
+        return f"a_{self.lengths.all[k]:.10g}" + "_refined" * self.levels.get(k, 0)
 
     def settings(self, member, k):
         level = self.levels.get(k, 0)
@@ -129,10 +138,10 @@ class Life:
                 self.keep(member, k, folder, result)
 
     def stored(self, member, k):
-        name = f"a_{self.lengths.all[k]:.10g}" + "_refined" * self.levels.get(k, 0)
         used = self.program.finish_parameters(self.program.start_parameters(
             self.files[member], ["Output/Fields=none", *self.settings(member, k)]))
-        folder = Folder(self.directory / (f"block_{member}" if member else "") / name, used)
+        folder = Folder(self.directory / (f"block_{member}" if member else "") / self.name(k),
+                        used)
         return folder, folder.finished()
 
     def keep(self, member, k, folder, result, remark=""):
@@ -154,7 +163,7 @@ class Life:
     def growth(self, chosen, with_error=False):
         return Growth(self.readers, self.shares, [
             [self.nodes[member, k] for k in sorted(chosen)]
-            for member in range(len(self.files))], with_error)
+            for member in range(len(self.files))], with_error, self.piecewise)
 
     def estimate(self, chosen):
         """N up to the end of the growth, and its errors, with the chosen lengths."""
@@ -183,14 +192,18 @@ class Life:
         self.estimate_errors(found, chosen)
         return found
 
+    def comparisons(self, chosen):
+        """Kinds of errors, the growths that N is compared with, and factors: without the
+        last length, and with the errors of K."""
+        return [("error_of_lengths", self.growth(chosen[:-1]), 1.),
+                ("error_of_mesh", self.growth(chosen, with_error=True), 1.)]
+
     def estimate_errors(self, found, chosen):
-        """Differences that N has without the last length, and with the errors of K."""
         found.error_of_lengths = found.error_of_mesh = 0.
         found.errors = numpy.zeros(len(found.edges))
         if numpy.isfinite(found.N) and found.N > 0.:
-            for name, other in (("error_of_lengths", self.growth(chosen[:-1])),
-                                ("error_of_mesh", self.growth(chosen, with_error=True))):
-                difference = abs(other.integrate(found.edges)[1] - found.periods)
+            for name, other, factor in self.comparisons(chosen):
+                difference = factor * abs(other.integrate(found.edges)[1] - found.periods)
                 difference[~numpy.isfinite(difference)] = numpy.inf
                 setattr(found, name, difference[-1])
                 found.errors = found.errors + difference
@@ -212,11 +225,13 @@ class Life:
         if not found.is_enough:
             raise CommandError(
                 f"The estimated error of N, {found.errors[-1] / found.N:.2g} of it, is "
-                f"above --error {self.options.error:g}: " + (
-                    "the meshes are too coarse; refine them." if
-                    found.error_of_mesh >= found.error_of_lengths else
-                    "there are no more lengths; allow more, by finer Subdivisions or more "
-                    "--lengths."), 3)
+                f"above --error {self.options.error:g}: " + self.advice(found), 3)
+
+    def advice(self, found):
+        return ("the meshes are too coarse; refine them." if
+                found.error_of_mesh >= found.error_of_lengths else
+                "there are no more lengths; allow more, by finer Subdivisions or more "
+                "--lengths.")
 
     def describe_transition(self, found, chosen):
         """How much the crack grows until creep is steady, part of the ligament, at the

@@ -12,7 +12,7 @@ import tempfile
 
 import numpy
 
-from crevasse import mesh_formats
+from crevasse import mesh_formats, mesh_geo
 from crevasse.mesh_parts import NOUNS, Body, Mistake, write
 from crevasse.wording import plural, whole
 
@@ -24,16 +24,24 @@ def main(words):
         prog="crevasse mesh", description="Converts a mesh file of another program "
         "into a Gmsh file (.msh), and lists its cells, names and what is left out.")
     parser.add_argument("input", metavar="IN", help="Abaqus or CalculiX (.inp), UNV, "
-                        "MED, Exodus (.e, .exo), VTK (.vtk, .vtu), or another format "
-                        "of meshio")
+                        "MED, Exodus (.e, .exo), VTK (.vtk, .vtu), another format of "
+                        "meshio, or a geometry for Gmsh (.geo, .brep)")
     parser.add_argument("output", metavar="OUT.msh")
+    parser.add_argument("--trust-mesh", action="store_true", help="let a .geo file start "
+                        "programs, and read and write files")
     arguments = parser.parse_args(words)
     if not arguments.output.lower().endswith(".msh"):
         parser.error("the second name must end in .msh")
     try:
-        mesh, form = mesh_formats.read(arguments.input)
-        body = Body(flat(mesh))
-        save(body, pathlib.Path(arguments.output))
+        target = pathlib.Path(arguments.output)
+        if arguments.input.lower().endswith(mesh_geo.SUFFIXES):
+            form, lines = "by Gmsh", save(target, lambda part: mesh_geo.by_gmsh(
+                mesh_geo.mesh, arguments.input, arguments.trust_mesh, part))
+        else:
+            mesh, form = mesh_formats.read(arguments.input)
+            body = Body(flat(mesh))
+            save(target, lambda part: write(body, part))
+            lines = report(body)
     except Mistake as mistake:
         text = str(mistake)
         if not text.startswith(arguments.input):
@@ -42,11 +50,11 @@ def main(words):
         return INPUT_MISTAKE
     except (OSError, ImportError) as error:
         print("crevasse mesh: " + (
-            f"{error}. It needs Debian's packages python3-h5py, python3-meshio and "
-            "python3-netcdf4" if isinstance(error, ImportError) else
+            f"{error}. It needs Debian's packages python3-gmsh, python3-h5py, "
+            "python3-meshio and python3-netcdf4" if isinstance(error, ImportError) else
             f"{error.filename}: {error.strerror}"), file=sys.stderr)
         return FILE_FAILURE
-    print("\n".join([f"{arguments.input} ({form}):", *report(body),
+    print("\n".join([f"{arguments.input} ({form}):", *lines,
                      f"  written to {arguments.output}"]))
     return 0
 
@@ -70,15 +78,16 @@ def flat(mesh):
     return mesh
 
 
-def save(body, path):
-    """Writes the file as a whole or not at all."""
+def save(path, write_to):
+    """Writes the file as a whole or not at all; returns what write_to returns."""
     path.parent.mkdir(parents=True, exist_ok=True)
-    handle, part = tempfile.mkstemp(dir=path.parent, suffix=".part")
+    handle, part = tempfile.mkstemp(dir=path.parent, suffix=".part.msh")
     os.close(handle)
     try:
-        write(body, part)
+        result = write_to(part)
         os.chmod(part, 0o644)
         os.replace(part, path)
+        return result
     finally:
         if os.path.exists(part):
             os.remove(part)

@@ -1,0 +1,200 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+# Copyright (C) 2026 by the Crevasse authors
+
+"""One life along a curved path: each run has the crack that the runs before have made
+grow, in the direction of the largest hoop stress, and a mesh of its own. A second path
+with doubled steps gives the errors of path and N."""
+
+import copy
+import types
+
+import numpy
+from numpy.linalg import norm
+
+from crevasse.command import CommandError
+from crevasse.life_body import Body
+from crevasse.life_run import Life
+from crevasse.mesh_parts import Mistake
+from crevasse.program import options as words_of
+
+LARGEST_KINK = 5.  # degrees, beyond which the next step is halved
+GAP = 2.5  # steps from a border, below which the step is halved
+SMALLEST = 1 / 8  # of the step
+FACTORS = 1., 0.8, 1.25  # of the mesh size, where a mesh fails
+MOST_STEPS = 2000
+RICHARDSON = 1 / 3  # of the difference that doubled steps of second order make
+ROUNDING = 1e-9
+
+
+def unit(degrees):
+    return numpy.array([numpy.cos(numpy.radians(degrees)), numpy.sin(numpy.radians(degrees))])
+
+
+def between(one, other):
+    """The angle from another direction to one, in degrees, at most 180."""
+    return (one - other + 180.) % 360. - 180.
+
+
+def direction(heading, before, step, step_before):
+    """The mean direction over the next step, of second order (Adams-Bashforth)."""
+    return heading + between(heading, before) * step / step_before / 2
+
+
+class PathLife(Life):
+    piecewise = True
+
+    def __init__(self, options, program, log):
+        if options.trust_mesh:  # before the scene is read, which needs the mesh
+            program.finish_parameters(program.start(
+                options.scene, *words_of(options.set), "--trust-mesh",
+                "--print-parameters", "prm"))
+        super().__init__(options, program, log)
+        self.steps, self.chosen, self.places = [], [], [self.body.tip]
+        self.companion = None
+
+    def possible_lengths(self, options, scene):
+        """The lengths are known when the crack has grown."""
+        if options.vary or options.lengths:
+            raise CommandError("--path: the path gives the lengths; leave out --vary and "
+                               "--lengths.", 2)
+        source = scene["Geometry/Mesh file"]
+        if scene["Geometry/Shape"] != "mesh file" or not source.lower().endswith(".geo"):
+            raise CommandError("--path: needs a body that is meshed anew for each length: "
+                               "[Geometry] Shape = mesh file, and a .geo file as Mesh "
+                               f"file, not \"{source or scene['Geometry/Shape']}\".", 2)
+        cracks = [name.strip() for role in ("Crack", "Open crack")
+                  for name in scene[f"Boundary/{role}"].split(",") if name.strip()]
+        self.body = Body(source, options.trust_mesh, cracks, options.tip)
+        start = options.start or self.body.length
+        if options.end and options.end <= start:
+            raise CommandError(f"--to {options.end:g}: the crack is {start:g} long at the "
+                               "beginning; give a longer one.", 2)
+        self.step = options.step or start / 10
+        return types.SimpleNamespace(start=start, end=options.end or numpy.inf, why="--to",
+                                     all=[], settings=[], names=[], body_ends=None)
+
+    def run(self):
+        self.log(f"Crevasse: path of {self.options.scene.name} from a = "
+                 f"{self.lengths.start:g} at ({self.body.tip[0]:g}, {self.body.tip[1]:g}), "
+                 f"steps of {self.step:g}")
+        self.follow()
+        if len(self.steps) < 2:
+            raise CommandError(f"The path ends after {len(self.steps)} steps of "
+                               f"{self.step:g}, by {self.lengths.why}: choose a smaller "
+                               "--step.", 2)
+        self.log("  the same with doubled steps, for the errors")
+        options = copy.copy(self.options)
+        options.output = self.directory / "doubled_steps"
+        other = self.companion = PathLife(options, self.program, self.log)
+        pairs = [sum(self.steps[k:k + 2]) for k in range(0, len(self.steps), 2)]
+        other.follow(pairs)
+        same = [min(2 * k, len(self.steps)) for k in range(len(other.places))]
+        differences = norm(numpy.array(self.places)[same] - other.places, axis=1)
+        self.path_errors = ([other.lengths.all[k] for k in other.chosen],
+                            RICHARDSON * differences)
+        self.runs += other.runs
+        self.new_runs += other.new_runs
+        found = self.estimate(self.chosen)
+        found.path_error = numpy.interp(found.edges, *self.path_errors)
+        x, y = self.places[-1]
+        self.log(f"  {len(self.chosen)} lengths: {found.words}\n  the path ends at "
+                 f"({x:.5g}, {y:.5g}), estimated error {found.path_error[-1]:.2g}")
+        self.conclude(found, self.chosen)
+
+    def follow(self, given=()):
+        """Lets the crack grow by given steps, or until something ends it."""
+        step, ahead = self.step, None
+        heading = before = self.find([self.body.tip], self.lengths.start)
+        self.chosen.append(len(self.lengths.all) - 1)
+        while not (why := self.end_here()) and len(self.steps) < MOST_STEPS:
+            last, n = self.places[-1], len(self.steps)
+            kink = 0. if ahead is None else abs(between(heading, ahead))
+            step, why = self.within(self.next_step(step, kink), last, unit(heading))
+            if given and not why:
+                step = given[n] if n < len(given) else 0.
+                distance, what = self.body.ahead(last, unit(heading))
+                why = what if distance <= step else "" if step else "steps"
+            if why:
+                break
+            if n == 0:  # Heun
+                there = self.find([last, last + step * unit(heading)], self.a + step,
+                                  "_predicted")
+                ahead = heading + between(there, heading) / 2
+            else:
+                ahead = direction(heading, before, step, self.steps[-1])
+            self.places.append(last + step * unit(ahead))
+            self.steps.append(step)
+            before, heading = heading, self.find(self.places, self.a)
+            self.chosen.append(len(self.lengths.all) - 1)
+        self.lengths.end, self.lengths.why = self.a, why or "steps"
+
+    @property
+    def a(self):
+        return self.lengths.start + sum(self.steps)
+
+    def end_here(self):
+        """What ends the growth at the last length; nothing if it goes on."""
+        nodes = [self.nodes[member, self.chosen[-1]] for member in range(len(self.files))]
+        if self.a >= self.lengths.end * (1 - ROUNDING):
+            return "--to"
+        if any(reader.toughness and node.drivers["K_max"] >= reader.toughness
+               for reader, node in zip(self.readers, nodes)):
+            return "K_c"
+        growth = sum(reader.ask({name: [value] for name, value in node.drivers.items()})
+                     .sum() + (node.creep[0] if reader.history else 0.)
+                     for reader, node in zip(self.readers, nodes))
+        return "" if growth > 0. else "law" if numpy.isnan(growth) else "arrest"
+
+    def next_step(self, step, kink):
+        """Halves the step after a large kink, and doubles it after a small one."""
+        if kink > LARGEST_KINK:
+            return max(step / 2, SMALLEST * self.step)
+        return min(2 * step, self.step) if kink < LARGEST_KINK / 2 else step
+
+    def within(self, step, point, ahead):
+        """A step that ends well before a border, or what the crack has reached."""
+        gap, nearest = self.body.gap(point)
+        smallest = SMALLEST * self.step
+        while step > smallest and gap < GAP * step:
+            step = max(step / 2, smallest)
+        distance, what = self.body.ahead(point, ahead)
+        if distance <= GAP * smallest or gap <= smallest / 2:
+            return step, what if distance <= GAP * smallest else nearest
+        return min(step, self.lengths.end - self.a), ""
+
+    def find(self, points, a, suffix=""):
+        """The direction in which the crack along these points would grow, in degrees;
+        other mesh sizes are tried where a mesh fails."""
+        k, lengths = len(self.lengths.all), self.lengths
+        lengths.all.append(a)
+        lengths.settings.append([])
+        lengths.names.append(f"a_{a:.10g}{suffix}")
+        for reader in self.readers:
+            reader.place = points[-1]
+        step = norm(points[-1] - points[-2]) if len(points) > 1 else self.step
+        failure = None
+        for factor in FACTORS:
+            try:
+                path = self.body.mesh(self.directory / "meshes", lengths.names[k], points,
+                                      step, factor)
+                lengths.settings[k] = [f"Geometry/Mesh file={path}"]
+                self.compute([k])
+                return self.nodes[0, k].angle
+            except (CommandError, Mistake) as error:
+                if getattr(error, "status", 3) not in (2, 3):
+                    raise
+                failure = failure or error
+        raise CommandError(f"At a = {a:g} neither the mesh nor two others can be used: "
+                           f"{failure}", 3)
+
+    def name(self, k):
+        return self.lengths.names[k]
+
+    def comparisons(self, chosen):
+        other = self.companion
+        return [("error_of_lengths", other.growth(other.chosen), RICHARDSON),
+                ("error_of_mesh", self.growth(chosen, with_error=True), 1.)]
+
+    def advice(self, found):
+        return (super().advice(found) if found.error_of_mesh >= found.error_of_lengths else
+                "choose a smaller --step.")
