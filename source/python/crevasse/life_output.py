@@ -48,7 +48,8 @@ def columns(life, found, chosen):
             "C_star": drivers["C_star"], "da_dN_fatigue": found.rates[0, rows],
             "da_dN_creep": found.rates[1, rows],
             "angle": of_nodes([node.angle for node in nodes]),
-            "N_error": found.errors[rows]}
+            "N_error": found.errors[rows],
+            **({"path_error": found.path_error[rows]} if life.piecewise else {})}
 
 
 def write(life, found, chosen):
@@ -74,6 +75,8 @@ def write(life, found, chosen):
                      "K_error": node.error, "transition_time": finite(node.transition)}
                     for node in (life.nodes[0, k] for k in sorted(chosen))],
         "warnings": [*life.warnings.values()]}
+    if life.piecewise:
+        description |= {"path_error": found.path_error[-1], "body": life.body.outlines()}
     write_file(life.directory / "life.json",
                json.dumps(description, indent=2, ensure_ascii=False) + "\n")
 
@@ -103,6 +106,10 @@ def page(directory):
 
 
 def charts_of(table, life):
+    if "body" in life:
+        yield chart("Path of the crack", "x", "y", [
+            line("path", table["x"], table["y"], 0),
+            *(line("", *zip(*outline), 1, bare=True) for outline in life["body"])])
     total = table["da_dN_fatigue"] + table["da_dN_creep"]
     N, a, error = table["N"], table["a"], table["N_error"]
     yield chart("Crack length over periods", "periods N", "crack length a", [

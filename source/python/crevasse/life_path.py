@@ -16,6 +16,7 @@ from crevasse.life_body import Body
 from crevasse.life_run import Life
 from crevasse.mesh_parts import Mistake
 from crevasse.program import options as words_of
+from crevasse.wording import plural
 
 LARGEST_KINK = 5.  # degrees, beyond which the next step is halved
 GAP = 2.5  # steps from a border, below which the step is halved
@@ -79,7 +80,7 @@ class PathLife(Life):
                  f"steps of {self.step:g}")
         self.follow()
         if len(self.steps) < 2:
-            raise CommandError(f"The path ends after {len(self.steps)} steps of "
+            raise CommandError(f"The path ends after {plural(len(self.steps), 'step')} of "
                                f"{self.step:g}, by {self.lengths.why}: choose a smaller "
                                "--step.", 2)
         self.log("  the same with doubled steps, for the errors")

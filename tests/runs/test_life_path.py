@@ -1,0 +1,148 @@
+"""crevasse life --path: the deflection of a crack beside a hole and its order, holes that
+cracks reach, the advance of the tip against closed forms, wrong commands."""
+
+import json
+import math
+import os
+import pathlib
+import shutil
+
+import numpy
+
+from crevasse_run import PROGRAM, SOURCE, check, check_below, check_close, execute, full
+
+os.environ["CREVASSE_PROGRAM"] = str(PROGRAM)
+from crevasse.life_body import Body  # noqa: E402
+from crevasse.life_output import page, read  # noqa: E402
+from crevasse.life_path import between, direction, unit  # noqa: E402
+
+SCENE = SOURCE / "prm/curved_path.prm"
+GEOMETRY = SOURCE / "prm/curved_path.geo"
+
+
+def path(name, *words, scene=SCENE, status=0, fresh=True):
+    """life.json, the columns of life.csv, and what was printed; or the error."""
+    directory = pathlib.Path("results") / name
+    if fresh:
+        shutil.rmtree(directory, ignore_errors=True)
+    code, output, error = execute("life", scene, "--path", "--output", directory, *words)
+    check(code == status, f"{name}: exit status {code}, not {status}\n{output}{error}")
+    print(output + error)
+    return error if status == 2 else (*read(directory), output + error)
+
+
+def test_tips():
+    """SSLV316 of Code_Aster: three increments of 0.4, each turned by 30 degrees."""
+    tip, heading = numpy.array([2., 9.]), 0.
+    for expected in ((2.34641, 9.2), (2.54642, 9.5464), (2.54644, 9.9464)):
+        heading += 30
+        tip = tip + 0.4 * unit(heading)
+        check_below(abs(tip - expected).max(), 3e-5, f"tip {expected}")
+    check_close(between(179, -179), -2, 1e-12, "across 180 degrees")
+
+
+def test_order():
+    """In a field of directions that turn with x the path is y = cosh-like: order 2, also
+    where the step is halved."""
+    def end(n, halved):
+        steps = numpy.repeat(1 / n, n)
+        if halved:
+            steps = numpy.concatenate([steps[:n // 2], numpy.repeat(0.5 / n, n)])
+        place, before = numpy.zeros(2), 0.
+        for k, step in enumerate(steps):
+            heading = numpy.degrees(numpy.arctan(numpy.sinh(place[0])))
+            if k == 0:
+                there = place + step * unit(heading)
+                heading = (heading + numpy.degrees(numpy.arctan(numpy.sinh(there[0])))) / 2
+                ahead, before = heading, 0.
+            else:
+                ahead = direction(heading, before, step, steps[k - 1])
+                before = heading
+            place = place + step * unit(ahead)
+        return place
+    exact = numpy.array([math.asinh(1), math.sqrt(2) - 1])  # a catenary of length 1
+    for halved in (False, True):
+        errors = [numpy.linalg.norm(end(n, halved) - exact) for n in (32, 64)]
+        check(1.8 < math.log2(errors[0] / errors[1]) < 2.2, f"order of {errors}")
+
+
+def test_border():
+    body = Body(str(GEOMETRY), False, ["crack"], None)
+    check_close(body.length, 0.5, 1e-12, "length")
+    gap, name = body.gap(body.tip)
+    check_close(gap, 0.5, 1e-12, "gap")
+    check(name == "border at (0, 0)", name)
+    gap, name = body.gap(numpy.array([0.8, 0.]))
+    check_close(gap, math.hypot(0.3, 0.55) - 0.25, 2e-3, "gap to the hole")
+    check(name == "hole at (1.1, 0.55)", name)
+    distance, name = body.ahead(body.tip, unit(0))
+    check(name == "border at (2, 0)" and abs(distance - 1.5) < 1e-12, name)
+    distance, name = body.ahead(body.tip, unit(math.degrees(math.atan2(0.55, 0.6))))
+    check_close(distance, math.hypot(0.6, 0.55) - 0.25, 2e-3, "distance to the hole")
+    check(name == "hole at (1.1, 0.55)", name)
+
+
+def test_short_path():
+    words = ["--step", "0.1", "--to", "0.7"]
+    found, table, _ = path("short", *words)
+    check(found["stopped_by"] == "--to" and found["new_runs"] == found["runs"], f"{found}")
+    check_close(table["a"][-1], 0.7, 1e-12, "length")
+    check_close(table["y"][-1], 0.00565, 2e-4, "deflection")
+    check_close(math.hypot(table["x"][-1] - 0.5, table["y"][-1]), 0.2, 1e-4, "arc")
+    check(table["path_error"][-1] < 1e-3, "error of the path")
+    check("Path" in page(pathlib.Path("results/short"))[0], "the page")
+    again, _, _ = path("short", *words, fresh=False)
+    check(again["new_runs"] == 0 and again["N"] == found["N"], f"{again}")
+    tough = 1.15 * table["K_max"][0]
+    found, table, _ = path("tough", "--step", "0.05", "--to", "0.7", "--set",
+                           f"Crack tip/Fracture toughness={tough}", "--error", "0.3")
+    check(found["stopped_by"] == "K_c" and found["to"] < 0.6, f"{found['stopped_by']}")
+    check_close(table["K_max"][-1] / tough, 1, 1e-6, "K at the end")
+
+
+def test_broken():
+    text = GEOMETRY.read_text()
+    pathlib.Path("no_crack.geo").write_text(text.replace('"crack"', '"line"'))
+    pathlib.Path("two_tips.geo").write_text(
+        text.replace("Line(10) = {5, 11}", "Point(12) = {0.2, 0, 0}; Line(10) = {12, 11}"))
+    pathlib.Path("hostile.geo").write_text(text + 'SystemCall "touch was_there";\n')
+    for message, words in (
+            ("needs a body that is meshed anew", ["--set", "Geometry/Mesh file="
+                                                  f"{SOURCE}/prm/kinked_crack.msh"]),
+            ("crack is 0.5 long at the beginning", ["--to", "0.4"]),
+            ("the path gives the lengths", ["--lengths", "1,2,3"]),
+            ("is not a length", ["--step", "0"]),
+            ("choose a smaller --step", ["--step", "0.1", "--to", "0.6"]),
+            ("no", ["--set", "Geometry/Mesh file=no_crack.geo"]),
+            ("there are 2 crack tips: choose one by --tip N (1:", [
+                "--set", "Geometry/Mesh file=two_tips.geo"]),
+            ("SystemCall", ["--set", "Geometry/Mesh file=hostile.geo"]),
+            ("Crack growth law = none", ["--law", "none"])):
+        error = path("broken", *words, status=2)
+        check(message in error and "Traceback" not in error, f"{message}: {error}")
+    check(not pathlib.Path("was_there").exists(), "a command of the file was run")
+
+
+@full
+def test_deflection():
+    """0.0498 in the limit; the printed error is that of the path."""
+    ends = []
+    for step in (0.1, 0.05, 0.025):
+        found, table, _ = path("plate", "--step", step, "--to", "1")
+        ends.append(table["y"][-1])
+    order = math.log2((ends[1] - ends[0]) / (ends[2] - ends[1]))
+    print(f"deflections {ends}, order {order}")
+    check_below(abs(ends[1] - 0.0498), 5e-4, "deflection")
+    check(order > 1.7, f"order {order}")
+    limit = ends[2] + (ends[2] - ends[1]) / 3
+    true = abs(limit - ends[2])
+    check(true / 2 < found["path_error"] < 5 * true, f"{found['path_error']}, {true}")
+    check_below(abs(limit - 0.0498), 3e-4, "limit")
+
+
+test_tips()
+test_order()
+test_border()
+test_short_path()
+test_broken()
+test_deflection()
