@@ -17,8 +17,8 @@ set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 set(CPACK_STRIP_FILES ON)
 # What the scripts import and inline; with Debian's default BLAS, factorisations
 # take two to three times as long.
-set(CPACK_DEBIAN_PACKAGE_DEPENDS "libjs-chart.js, libjs-three, python3-h5py, \
-python3-jinja2, python3-matplotlib, python3-meshio, python3-netcdf4, python3-scipy, \
+set(CPACK_DEBIAN_PACKAGE_DEPENDS "libjs-chart.js, libjs-three, python3-gmsh, \
+python3-h5py, python3-jinja2, python3-matplotlib, python3-meshio, python3-netcdf4, python3-scipy, \
 python3-pandas")
 set(CPACK_DEBIAN_PACKAGE_RECOMMENDS libopenblas0-serial)
 

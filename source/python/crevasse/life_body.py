@@ -9,6 +9,7 @@ import pathlib
 import zlib
 
 import numpy
+from numpy.linalg import norm
 from scipy.sparse import coo_matrix
 from scipy.sparse.csgraph import connected_components
 
@@ -76,8 +77,8 @@ class Body:
         border = [line for line in lines if line[2] or line[3] not in (None, self.group)]
         nodes = numpy.array([line[:2] for line in border])
         self.begins, self.ends = points[nodes[:, 0]], points[nodes[:, 1]]
-        own = numpy.array([line[:2] for line in lines if line[3] == self.group])
-        self.length = numpy.linalg.norm(points[own[:, 1]] - points[own[:, 0]], axis=1).sum()
+        own = points[[line[:2] for line in lines if line[3] == self.group]]
+        self.crack, self.length = own, norm(own[:, 1] - own[:, 0], axis=1).sum()
         self.size = numpy.ptp(points, axis=0).max()
         graph = coo_matrix((numpy.ones(len(nodes)), nodes.T), [len(points)] * 2)
         self.part = connected_components(graph, directed=False)[1][nodes[:, 0]]
@@ -102,7 +103,7 @@ class Body:
         part = numpy.clip(((point - self.begins) * along).sum(axis=1)
                           / (along**2).sum(axis=1), 0, 1)
         nearest = self.begins + part[:, None] * along
-        distances = numpy.linalg.norm(nearest - point, axis=1)
+        distances = norm(nearest - point, axis=1)
         k = distances.argmin()
         return distances[k], self.name(k, nearest[k])
 
@@ -132,9 +133,10 @@ class Body:
         return f"{kind} at ({x}, {y})"
 
     def outlines(self):
-        """The segments as polylines [[x, y], ...], for pictures."""
+        """Border and first crack as polylines [[x, y], ...], for pictures."""
         lines = []
-        for begin, end in zip(self.begins.tolist(), self.ends.tolist()):
+        for begin, end in [*zip(self.begins.tolist(), self.ends.tolist()),
+                           *self.crack.tolist()]:
             if not lines or lines[-1][-1] != begin:
                 lines.append([begin])
             lines[-1].append(end)
@@ -143,8 +145,8 @@ class Body:
     def mesh(self, folder, name, points, step, factor):
         """Meshes the body with the crack grown along points, the first of which is the
         tip; returns the path of the mesh."""
-        size = [shortest(step * (0.5 if k >= len(points) - 2 else 1.))
-                for k in range(len(points))]
+        lengths = norm(numpy.diff(points, axis=0), axis=1)
+        size = [*map(shortest, [*lengths, step / 2])]
         text = f"MeshSize{{{self.vertex}}} = {size[0]};\np0 = {self.vertex};\n"
         for k, (x, y) in enumerate(points[1:], 1):
             text += (f"p{k} = newp; Point(p{k}) = {{{float(x)!r}, {float(y)!r}, 0, "

@@ -100,16 +100,26 @@ def page(directory):
     for k, chart in enumerate(charts):
         chart["id"] = f"chart{k}"
     text = render("life.html", title=life["title"], directory=directory.resolve(),
-                  life=life, charts=charts, data={"charts": charts, "shades": [],
+                  picture=picture(table, life.get("body")), life=life, table=table, charts=charts, data={"charts": charts, "shades": [],
                                                   "lip": False})
     return text, [], [], []
 
 
+def picture(table, outlines):
+    """Polylines of the body and of the path for the page, y downwards as SVG has it, and
+    the box around them; None without a path."""
+    if not outlines:
+        return None
+    def text(points):
+        return " ".join(f"{x:.6g},{-y:.6g}" for x, y in points)
+    low, high = (end([end(outline, axis=0) for outline in outlines], axis=0)
+                 for end in (numpy.min, numpy.max))
+    margin = 0.02 * max(high - low)
+    return {"body": [*map(text, outlines)], "path": text(zip(table["x"], table["y"])),
+            "box": [low[0] - margin, -high[1] - margin, *(high - low + 2 * margin)]}
+
+
 def charts_of(table, life):
-    if "body" in life:
-        yield chart("Path of the crack", "x", "y", [
-            line("path", table["x"], table["y"], 0),
-            *(line("", *zip(*outline), 1, bare=True) for outline in life["body"])])
     total = table["da_dN_fatigue"] + table["da_dN_creep"]
     N, a, error = table["N"], table["a"], table["N_error"]
     yield chart("Crack length over periods", "periods N", "crack length a", [

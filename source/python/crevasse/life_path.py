@@ -123,9 +123,16 @@ class PathLife(Life):
                 ahead = heading + between(there, heading) / 2
             else:
                 ahead = direction(heading, before, step, self.steps[-1])
-            self.places.append(last + step * unit(ahead))
+            place = last + step * unit(ahead)
+            try:
+                before, heading = heading, self.find([*self.places, place], self.a + step)
+            except CommandError as error:
+                if n < 2 or error.status not in (2, 3):
+                    raise
+                self.warnings["mesh"], why = str(error), f"mesh at a = {self.a:g}"
+                break
+            self.places.append(place)
             self.steps.append(step)
-            before, heading = heading, self.find(self.places, self.a)
             self.chosen.append(len(self.lengths.all) - 1)
         self.lengths.end, self.lengths.why = self.a, why or "steps"
 

@@ -130,11 +130,8 @@ def is_assigned(words, k):
 def by_gmsh(work, source, trusted, *arguments):
     """The result of work(gmsh, source, ...) in a process of its own, which Gmsh may end.
     A source that is not trusted is checked, and copied: Gmsh runs a file source.opt."""
-    try:
-        import gmsh  # pylint: disable=import-outside-toplevel
-    except ImportError as missing:
-        raise ImportError(f"{missing}; geometries are meshed by Debian's package "
-                          "python3-gmsh") from None
+    import gmsh  # pylint: disable=import-outside-toplevel
+
     content = pathlib.Path(source).read_bytes()
     if not trusted and str(source).lower().endswith(".geo"):
         check(content.decode("latin-1"), source)

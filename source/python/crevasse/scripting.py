@@ -38,17 +38,18 @@ def run(scene, parameters=None, *, output=None, force=False, resume=False,
     return results
 
 
-def life(scene, start=None, end=None, parameters=None, *, error=1e-2, output=None,
-         processes=1, quiet=True):
+def life(scene, start=None, end=None, parameters=None, *, error=1e-2, path=False,
+         step=None, output=None, processes=1, quiet=True):
     """The Life of a crack that grows from one length to another, by crevasse life, with
-    parameters as in run(). Without output the results go to results/<scene name>_life."""
+    parameters as in run(); with path along a curve, by steps. Without output the results go to results/<scene name>_life."""
     program = find_program()
     settings = {name: as_text(value) for name, value in (parameters or {}).items()}
     words = [scene, *options(assignments(settings))]
     if output is None:
         output = f"{default_directory(program, words, scene)}_life"
-    words += ["--error", error, "--output", output, *["--quiet"] * quiet]
-    for option, value in (("--from", start), ("--to", end)):
+    words += ["--error", error, "--output", output, *["--quiet"] * quiet,
+              *["--path"] * path]
+    for option, value in (("--from", start), ("--to", end), ("--step", step)):
         words += [] if value is None else [option, value]
     execute([*mpirun(processes), program, "life", *words])
     return Life(output)
