@@ -1,7 +1,6 @@
 """crevasse life --path: the deflection of a crack beside a hole and its order, holes that
 cracks reach, the advance of the tip against closed forms, wrong commands."""
 
-import json
 import math
 import os
 import pathlib
@@ -28,7 +27,7 @@ def path(name, *words, scene=SCENE, status=0, fresh=True):
     code, output, error = execute("life", scene, "--path", "--output", directory, *words)
     check(code == status, f"{name}: exit status {code}, not {status}\n{output}{error}")
     print(output + error)
-    return error if status == 2 else (*read(directory), output + error)
+    return error if status in (2, 3) else (*read(directory), output + error)
 
 
 def test_tips():
@@ -93,6 +92,8 @@ def test_short_path():
     check("Path" in page(pathlib.Path("results/short"))[0], "the page")
     again, _, _ = path("short", *words, fresh=False)
     check(again["new_runs"] == 0 and again["N"] == found["N"], f"{again}")
+    error = path("arrest", *words, "--set", "Crack tip/Paris threshold=1e3", status=3)
+    check("its life is infinite" in error, error)
     tough = 1.15 * table["K_max"][0]
     found, table, _ = path("tough", "--step", "0.05", "--to", "0.7", "--set",
                            f"Crack tip/Fracture toughness={tough}", "--error", "0.3")
@@ -124,6 +125,24 @@ def test_broken():
 
 
 @full
+def test_three_holes():
+    """A notch at x = 4 ends in the middle hole (Bittencourt et al. 1996)."""
+    shutil.copy(SOURCE / "tests/meshes/three_holes.geo", ".")
+    text = SCENE.read_text().replace("curved_path", "three_holes")
+    for old, new in (("Clamped    = bottom", "Fixed points = 1, 0; 19, 0: 2"),
+                     ("= top", "= load"), ("0; 5*", "0; -5*"), ("Cycles   = 3",
+                                                                "Cycles   = 2")):
+        check(old in text, old)
+        text = text.replace(old, new)
+    scene = pathlib.Path("three_holes.prm")
+    scene.write_text(text)
+    found, table, _ = path("three_holes", "--step", "0.3", scene=scene)
+    check(found["stopped_by"] == "hole at (6, 4.75)", found["stopped_by"])
+    check(found["path_error"] < 0.05, f"{found['path_error']}")
+    check((numpy.diff(table["N"]) > 0).all() and (table["N_error"] >= 0).all(), "N")
+
+
+@full
 def test_deflection():
     """0.0498 in the limit; the printed error is that of the path."""
     ends = []
@@ -145,4 +164,5 @@ test_order()
 test_border()
 test_short_path()
 test_broken()
+test_three_holes()
 test_deflection()

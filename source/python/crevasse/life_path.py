@@ -80,9 +80,7 @@ class PathLife(Life):
                  f"steps of {self.step:g}")
         self.follow()
         if len(self.steps) < 2:
-            raise CommandError(f"The path ends after {plural(len(self.steps), 'step')} of "
-                               f"{self.step:g}, by {self.lengths.why}: choose a smaller "
-                               "--step.", 2)
+            self.refuse_short_path()
         self.log("  the same with doubled steps, for the errors")
         options = copy.copy(self.options)
         options.output = self.directory / "doubled_steps"
@@ -101,6 +99,17 @@ class PathLife(Life):
         self.log(f"  {len(self.chosen)} lengths: {found.words}\n  the path ends at "
                  f"({x:.5g}, {y:.5g}), estimated error {found.path_error[-1]:.2g}")
         self.conclude(found, self.chosen)
+
+    def refuse_short_path(self):
+        K = self.nodes[0, self.chosen[-1]].drivers["K_max"]
+        if self.lengths.why in ("arrest", "law"):
+            raise CommandError(f"At a = {self.a:g}, K_max = {K:.5g}, " + (
+                "the crack does not grow: its life is infinite." if self.lengths.why
+                == "arrest" else "the law gives no growth: is it outside the growth "
+                "table?"), 3)
+        raise CommandError(f"The path ends after {plural(len(self.steps), 'step')} of "
+                           f"{self.step:g}, by {self.lengths.why}: choose a smaller "
+                           "--step.", 2)
 
     def follow(self, given=()):
         """Lets the crack grow by given steps, or until something ends it."""
