@@ -6,6 +6,7 @@ from the geometry that is meshed; meshes of it with the crack as far as it has g
 
 import math
 import pathlib
+import tempfile
 import zlib
 
 import numpy
@@ -72,6 +73,9 @@ class Body:
                                "--tip N (" + "; ".join(
                                    f"{k}: ({shortest(x)}, {shortest(y)})"
                                    for k, (_, (x, y), _) in enumerate(tips, 1)) + ").", 2)
+        with tempfile.NamedTemporaryFile(suffix=".msh") as file:  # with all that it includes
+            by_gmsh(mesh, source, trusted, file.name)
+            self.key = pathlib.Path(file.name).read_bytes()
         self.vertex, place, self.group = tips[(tip or 1) - 1]
         self.tip, points = numpy.array(place), numpy.array(points)
         border = [line for line in lines if line[2] or line[3] not in (None, self.group)]
@@ -153,7 +157,7 @@ class Body:
                      f"{size[k]}}};\n"
                      f"l{k} = newl; Line(l{k}) = {{p{k - 1}, p{k}}};\n"
                      f"Curve{{l{k}}} In Surface{{{self.surface}}};\n")
-        key = text.encode() + pathlib.Path(self.source).read_bytes() + b"%g" % factor
+        key = self.key + text.encode() + b"%g" % factor
         path = folder / f"{name}_{zlib.crc32(key):08x}.msh"
         if not path.exists():
             save(path, lambda part: by_gmsh(mesh, self.source, self.trusted, part, text,

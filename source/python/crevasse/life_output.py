@@ -76,7 +76,7 @@ def write(life, found, chosen):
                     for node in (life.nodes[0, k] for k in sorted(chosen))],
         "warnings": [*life.warnings.values()]}
     if life.piecewise:
-        description |= {"path_error": found.path_error[-1], "body": life.body.outlines()}
+        description |= {"path_error": finite(found.path_error[-1]), "body": life.body.outlines()}
     write_file(life.directory / "life.json",
                json.dumps(description, indent=2, ensure_ascii=False) + "\n")
 

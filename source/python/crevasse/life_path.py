@@ -21,7 +21,7 @@ from crevasse.wording import plural
 LARGEST_KINK = 5.  # degrees, beyond which the next step is halved
 GAP = 2.5  # steps from a border, below which the step is halved
 SMALLEST = 1 / 8  # of the step
-FACTORS = 1., 0.8, 1.25  # of the mesh size, where a mesh fails
+FACTORS = 1., 0.8, 0.5  # of the mesh size, where a mesh fails
 MOST_STEPS = 2000
 RICHARDSON = 1 / 3  # of the difference that doubled steps of second order make
 ROUNDING = 1e-9
@@ -91,6 +91,13 @@ class PathLife(Life):
         differences = norm(numpy.array(self.places)[same] - other.places, axis=1)
         self.path_errors = ([other.lengths.all[k] for k in other.chosen],
                             RICHARDSON * differences)
+        self.ends_alike = other.a >= self.a - max(pairs) * (1 + ROUNDING)
+        if not self.ends_alike:
+            self.path_errors = [self.lengths.start, self.a], [numpy.inf] * 2
+            self.warnings["other"] = (
+                f"with doubled steps the path ends elsewhere: by {other.lengths.why} at "
+                f"a = {other.a:g}")
+        self.warnings = other.warnings | self.warnings
         self.runs += other.runs
         self.new_runs += other.new_runs
         found = self.estimate(self.chosen)
@@ -209,7 +216,8 @@ class PathLife(Life):
 
     def comparisons(self, chosen):
         other = self.companion
-        return [("error_of_lengths", other.growth(other.chosen), RICHARDSON),
+        return [("error_of_lengths", other.growth(other.chosen),
+                 RICHARDSON if self.ends_alike else numpy.inf),
                 ("error_of_mesh", self.growth(chosen, with_error=True), 1.)]
 
     def advice(self, found):
