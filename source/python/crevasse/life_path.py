@@ -161,12 +161,12 @@ class PathLife(Life):
         nodes = [self.nodes[member, self.chosen[-1]] for member in range(len(self.files))]
         if self.a >= self.lengths.end * (1 - ROUNDING):
             return "--to"
-        if any(reader.toughness and node.drivers["K_max"] >= reader.toughness
-               for reader, node in zip(self.readers, nodes)):
+        growth = sum(reader.ask({"theta": [node.theta], **{
+            name: [value] for name, value in node.drivers.items()}}).sum()
+            + (node.creep[0] if reader.history else 0.)
+            for reader, node in zip(self.readers, nodes))
+        if numpy.isinf(growth):
             return "K_c"
-        growth = sum(reader.ask({name: [value] for name, value in node.drivers.items()})
-                     .sum() + (node.creep[0] if reader.history else 0.)
-                     for reader, node in zip(self.readers, nodes))
         return "" if growth > 0. else "law" if numpy.isnan(growth) else "arrest"
 
     def next_step(self, step, kink):
