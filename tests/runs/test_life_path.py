@@ -103,6 +103,8 @@ def test_broken():
     pathlib.Path("no_crack.geo").write_text(text.replace('"crack"', '"line"'))
     pathlib.Path("two_tips.geo").write_text(
         text.replace("Line(10) = {5, 11}", "Point(12) = {0.2, 0, 0}; Line(10) = {12, 11}"))
+    pathlib.Path("no_point.geo").write_text(
+        text.replace("Line(10) = {5, 11}", "Point(12) = {0, 0.1, 0}; Line(10) = {12, 11}"))
     pathlib.Path("hostile.geo").write_text(text + 'SystemCall "touch was_there";\n')
     for message, words in (
             ("needs a body that is meshed anew", ["--set", "Geometry/Mesh file="
@@ -114,6 +116,8 @@ def test_broken():
             ("no", ["--set", "Geometry/Mesh file=no_crack.geo"]),
             ("there are 2 crack tips: choose one by --tip N (1:", [
                 "--set", "Geometry/Mesh file=two_tips.geo"]),
+            ("begins at (0, 0.1) on a border that has no point there", [
+                "--set", "Geometry/Mesh file=no_point.geo"]),
             ("SystemCall", ["--set", "Geometry/Mesh file=hostile.geo"]),
             ("Crack growth law = none", ["--law", "none"])):
         error = path("broken", *words, status=2)

@@ -55,6 +55,14 @@ def survey(gmsh, source, cracks):
     return points.reshape(-1, 3)[:, :2].tolist(), lines, tips
 
 
+def nearest(point, begins, ends):
+    """Distances from a point to segments, and the nearest points of these."""
+    along = ends - begins
+    part = numpy.clip(((point - begins) * along).sum(axis=1) / (along**2).sum(axis=1), 0, 1)
+    places = begins + part[:, None] * along
+    return norm(places - point, axis=1), places
+
+
 class Body:
     def __init__(self, source, trusted, cracks, tip):
         self.source, self.trusted = source, trusted
@@ -68,22 +76,30 @@ class Body:
                 "body. Give the first crack as a curve, Curve{7} In Surface{1}; "
                 "Physical Curve(\"crack\") = {7};, and name it in [Boundary] Crack or "
                 "Open crack.", 2)
+        points = numpy.array(points)
+        self.size = numpy.ptp(points, axis=0).max()
+        outline = points[[line[:2] for line in lines if line[2]]]
+        for _, (x, y), _ in tips:
+            if nearest([x, y], *outline.swapaxes(0, 1))[0].min() < TOUCHES * self.size:
+                raise CommandError(
+                    f"{source}: the crack begins at ({shortest(x)}, {shortest(y)}) on a "
+                    "border that has no point there, and would stay closed there. Let the "
+                    "border have this point, as the end of two of its curves.", 2)
         if len(tips) > 1 and not tip or tip and tip > len(tips):
             raise CommandError(f"{source}: there are {len(tips)} crack tips: choose one by "
                                "--tip N (" + "; ".join(
                                    f"{k}: ({shortest(x)}, {shortest(y)})"
                                    for k, (_, (x, y), _) in enumerate(tips, 1)) + ").", 2)
-        with tempfile.NamedTemporaryFile(suffix=".msh") as file:  # with all that it includes
-            by_gmsh(mesh, source, trusted, file.name)
+        with tempfile.NamedTemporaryFile(suffix=".msh") as file:
+            by_gmsh(mesh, source, trusted, file.name)  # with all that it includes
             self.key = pathlib.Path(file.name).read_bytes()
         self.vertex, place, self.group = tips[(tip or 1) - 1]
-        self.tip, points = numpy.array(place), numpy.array(points)
+        self.tip = numpy.array(place)
         border = [line for line in lines if line[2] or line[3] not in (None, self.group)]
         nodes = numpy.array([line[:2] for line in border])
         self.begins, self.ends = points[nodes[:, 0]], points[nodes[:, 1]]
         own = points[[line[:2] for line in lines if line[3] == self.group]]
         self.crack, self.length = own, norm(own[:, 1] - own[:, 0], axis=1).sum()
-        self.size = numpy.ptp(points, axis=0).max()
         graph = coo_matrix((numpy.ones(len(nodes)), nodes.T), [len(points)] * 2)
         self.part = connected_components(graph, directed=False)[1][nodes[:, 0]]
         self.kind = ["crack" if not line[2] else "border" if len(line[2]) == 1
@@ -102,14 +118,10 @@ class Body:
             high[:, 1] - low[:, 1])) > 0).sum() % 2 == 1
 
     def gap(self, point):
-        """Distance from a point to the border, holes and other cracks, and what is there."""
-        along = self.ends - self.begins
-        part = numpy.clip(((point - self.begins) * along).sum(axis=1)
-                          / (along**2).sum(axis=1), 0, 1)
-        nearest = self.begins + part[:, None] * along
-        distances = norm(nearest - point, axis=1)
+        """Distance from a point to the nearest border, hole or other crack; its name."""
+        distances, places = nearest(point, self.begins, self.ends)
         k = distances.argmin()
-        return distances[k], self.name(k, nearest[k])
+        return distances[k], self.name(k, places[k])
 
     def ahead(self, point, direction):
         """Distance from a point to the border in a direction, and what is there."""

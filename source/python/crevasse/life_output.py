@@ -76,7 +76,8 @@ def write(life, found, chosen):
                     for node in (life.nodes[0, k] for k in sorted(chosen))],
         "warnings": [*life.warnings.values()]}
     if life.piecewise:
-        description |= {"path_error": finite(found.path_error[-1]), "body": life.body.outlines()}
+        description |= {"path_error": finite(found.path_error[-1]),
+                        "body": life.body.outlines()}
     write_file(life.directory / "life.json",
                json.dumps(description, indent=2, ensure_ascii=False) + "\n")
 
@@ -100,8 +101,8 @@ def page(directory):
     for k, chart in enumerate(charts):
         chart["id"] = f"chart{k}"
     text = render("life.html", title=life["title"], directory=directory.resolve(),
-                  picture=picture(table, life.get("body")), life=life, table=table, charts=charts, data={"charts": charts, "shades": [],
-                                                  "lip": False})
+                  picture=picture(table, life.get("body")), life=life, table=table,
+                  charts=charts, data={"charts": charts, "shades": [], "lip": False})
     return text, [], [], []
 
 

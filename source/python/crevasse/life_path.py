@@ -28,7 +28,8 @@ ROUNDING = 1e-9
 
 
 def unit(degrees):
-    return numpy.array([numpy.cos(numpy.radians(degrees)), numpy.sin(numpy.radians(degrees))])
+    angle = numpy.radians(degrees)
+    return numpy.array([numpy.cos(angle), numpy.sin(angle)])
 
 
 def between(one, other):

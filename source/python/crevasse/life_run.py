@@ -140,8 +140,8 @@ class Life:
     def stored(self, member, k):
         used = self.program.finish_parameters(self.program.start_parameters(
             self.files[member], ["Output/Fields=none", *self.settings(member, k)]))
-        folder = Folder(self.directory / (f"block_{member}" if member else "") / self.name(k),
-                        used)
+        block = f"block_{member}" if member else ""
+        folder = Folder(self.directory / block / self.name(k), used)
         return folder, folder.finished()
 
     def keep(self, member, k, folder, result, remark=""):
