@@ -6,7 +6,9 @@
 #include <crevasse/base/single_process.h>
 #include <crevasse/base/stop_request.h>
 
+#include <chrono>
 #include <csignal>
+#include <cstdlib>
 
 namespace
 {
@@ -57,15 +59,29 @@ main(int argc, char **argv)
   if (!command.print_format.empty())
     return show_parameters(command);
 
+  using namespace std::chrono;
+  const auto  start = steady_clock::now();
+  std::string with_bars;
+  int         status = done;
   set_up_single_process();
-  // PETSc, if deal.II starts it, would take options for its own and report
-  // unused ones: it gets only the name of the program.
-  int                                      only_name = 1;
-  dealii::Utilities::MPI::MPI_InitFinalize mpi(only_name, argv, 1);
-  // The reader of the log may end before the run; Open MPI handles SIGPIPE in
-  // another way.
-  std::signal(SIGPIPE, SIG_IGN);
-  for (const int signal : ignored) // MPI may have set them
-    std::signal(signal, SIG_IGN);
-  return run_command(command);
+  {
+    // PETSc, if deal.II starts it, would take options for its own and report
+    // unused ones: it gets only the name of the program.
+    int                                      only_name = 1;
+    dealii::Utilities::MPI::MPI_InitFinalize mpi(only_name, argv, 1);
+    // The reader of the log may end before the run; Open MPI handles SIGPIPE in
+    // another way.
+    std::signal(SIGPIPE, SIG_IGN);
+    for (const int signal : ignored) // MPI may have set them
+      std::signal(signal, SIG_IGN);
+    status = run_command(command, with_bars);
+  }
+  const char *rank = std::getenv("OMPI_COMM_WORLD_RANK");
+  if (with_bars.empty() || (rank != nullptr && std::string(rank) != "0"))
+    return status;
+  std::optional<double> seconds;
+  if (command.wall_time > 0.)
+    seconds =
+      command.wall_time - duration<double>(steady_clock::now() - start).count();
+  return add_bars(command, with_bars, seconds);
 }

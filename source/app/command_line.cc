@@ -19,6 +19,7 @@ namespace Crevasse
      * ExitStatus. */
     constexpr const char *examples_and_statuses = R"(Examples:
   crevasse prm/raous1980.prm --set "Geometry/Crack length=0.3" --output results/short_crack
+  crevasse prm/raous1980.prm --bars
   crevasse advise prm/raous1980.prm --error 1e-3
   crevasse report results/raous1980
   crevasse sweep --help
@@ -145,6 +146,13 @@ doc/getting_started.md tells more.
                   "new ones")
         ->excludes("--check")
         ->excludes("--resume");
+      app
+        .add_flag_function(
+          "--bars,!--no-bars",
+          [&command](const std::int64_t count) { command.bars = count > 0; },
+          "Give the results error bars, by companion runs; --no-bars: not, "
+          "whatever [Output] Error bars is")
+        ->excludes("--check");
       app
         .add_option(
           "--print-parameters",

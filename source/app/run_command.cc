@@ -355,7 +355,7 @@ namespace Crevasse
 
 
   int
-  run_command(const Command &command)
+  run_command(const Command &command, std::string &with_bars)
   {
     // Failures have a communicator of their own.
     MPI_Comm for_failures;
@@ -373,6 +373,9 @@ namespace Crevasse
           (scene.dimension == 2
              ? run_scene<2>
              : run_scene<3>)(command, scene, prm, requests, for_failures, log);
+        if (status == done && !command.check &&
+            command.bars.value_or(scene.output.error_bars))
+          with_bars = OutputChoice(command, scene).directory;
       }
     catch (const StoppedOnRequest &request)
       {

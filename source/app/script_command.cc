@@ -116,6 +116,28 @@ namespace Crevasse
 
 
   int
+  add_bars(const Command              &command,
+           const std::string          &directory,
+           const std::optional<double> seconds)
+  {
+    std::vector<std::string> words = {"crevasse",
+                                      "bars",
+                                      directory,
+                                      command.scene_file};
+    for (const std::string &assignment : command.overrides)
+      words.insert(words.end(), {"--set", assignment});
+    if (command.quiet)
+      words.push_back("--quiet");
+    if (seconds)
+      words.insert(words.end(),
+                   {"--wall-time", std::to_string(std::max(*seconds, 1e-3))});
+    std::cout << std::flush;
+    return run_script_command(words);
+  }
+
+
+
+  int
   wait_for_script(const std::vector<std::string> &words,
                   const bool                      quiet,
                   const std::string              &input)

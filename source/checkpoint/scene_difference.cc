@@ -24,6 +24,7 @@ namespace Crevasse
         "/Title",
         "/Output directory",
         "/Output/Checkpoint every",
+        "/Output/Error bars",
         "/Periodic state/Maximum periods",
         "/Periodic state/Tolerance",
         "/Contact/Solver",

@@ -381,5 +381,11 @@ namespace Crevasse
       "on a request to stop, on SIGUSR1, and at the end of a run that is not "
       "periodic.",
       Integer(0));
+    prm.add_parameter(
+      "Error bars",
+      error_bars,
+      "Whether results get error bars from the mesh, the steps "
+      "and the search for the periodic state, by companion runs "
+      "with larger cells and fewer steps.");
   }
 } // namespace Crevasse

@@ -4,6 +4,7 @@
 #ifndef crevasse_app_command_line_h
 #define crevasse_app_command_line_h
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -35,6 +36,7 @@ namespace Crevasse
     double wall_time     = 0.;    ///< seconds; 0: unlimited
     bool   stress_record = false; ///< whether to use StressWriter
     bool   trust_mesh    = false; ///< whether a .geo file may do anything
+    std::optional<bool> bars;     ///< overrides [Output] Error bars
 
     /** Whether to exit at once: after help, version, or a reported mistake. */
     bool       exit   = false;

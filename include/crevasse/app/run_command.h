@@ -10,9 +10,11 @@ namespace Crevasse
 {
   /** Runs, resumes or checks the scene of a command, and turns exceptions into
    * messages. Collective.
+   * @param with_bars becomes the output directory if the run is done and is to
+   * have error bars, which add_bars() finds.
    * @return the exit status. */
   int
-  run_command(const Command &command);
+  run_command(const Command &command, std::string &with_bars);
 
   /** Prints parameters without MPI, whose start would take longer: a sweep asks
    * for each point. With mpirun only the first process answers.

@@ -38,6 +38,18 @@ namespace Crevasse
   int
   run_script_command(const std::vector<std::string> &words);
 
+  /**
+   * Replaces this process, after its run and the end of MPI, by the script that
+   * adds error bars to the results; with mpirun on the first process.
+   *
+   * @param seconds left of --wall-time, if there is one.
+   * @return the exit status if that is impossible, after a message.
+   */
+  int
+  add_bars(const Command        &command,
+           const std::string    &directory,
+           std::optional<double> seconds);
+
   /** Runs a script command in a child process.
    *
    * @param words as those of run_script_command().

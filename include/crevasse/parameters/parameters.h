@@ -329,6 +329,8 @@ namespace Crevasse
     bool        load_work          = false;
     /** Number of periods between checkpoints; 0: only on request. */
     unsigned int checkpoint_every = 0;
+    /** Whether companion runs give the results error bars. */
+    bool error_bars = false;
     /** Whether StressWriter runs: sweeps set it, and no scene. */
     bool stress_record = false;
 

@@ -45,9 +45,10 @@ class Run(Outcome):
 class Runs:
     """All runs of one scene, in their folders."""
 
-    def __init__(self, program, scene, settings, directory, log):
+    def __init__(self, program, scene, settings, directory, log, logs_warnings=True):
         self.program, self.scene, self.settings = program, scene, settings
         self.directory, self.log = directory, log
+        self.logs_warnings = logs_warnings
         self.base = hashlib.sha256(str(normal_form(
             program.parameters(scene, settings))).encode()).hexdigest()
         self.known = {}
@@ -68,7 +69,7 @@ class Runs:
                      f"{run.costs.get('vi_solves', 0):7.0f} VIs {run.seconds:8.3f} s"
                      if run.usable else run.status)
             self.log(f"  {name:44} {costs}{there}")
-            for warning in run.warnings:
+            for warning in run.warnings if self.logs_warnings else ():
                 if (kind := without_numbers(warning)) not in self.warned:
                     self.warned.add(kind)
                     self.log(f"  warning: {warning}")

@@ -38,9 +38,21 @@ def numbers(run):
                  Number("largest displacement",
                         run.summary_number("extremes", "displacement"), None,
                         "length")]
+    bars = bars_by_label(run, k + 1 if len(tips) > 1 else None)
     return (place_of(tips, k) if len(tips) > 1 else "",
-            [number._replace(unit=unit_of(number, run)) for number in found
-             if is_number(number.value)])
+            [number._replace(unit=unit_of(number, run),
+                             error=bars.get(number.label, number.error))
+             for number in found if is_number(number.value)])
+
+
+def bars_by_label(run, tip):
+    """Error bars of a tip and of the body, which replace other estimates."""
+    bars = {}
+    for name, entry in run.summary.get("bars", {}).items():
+        if findings.is_finding(name) and findings.split(name)[1] in (tip, None):
+            label = findings.FINDINGS[findings.split(name)[0]].label
+            bars["ΔK_I" if label == "ΔK" else label] = entry.get("bar")
+    return bars
 
 
 def unit_of(number, run):

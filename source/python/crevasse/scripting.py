@@ -126,6 +126,12 @@ class Results(Run):
         return self.table(single if is_single else f"{kind}_{number or 1}.csv")
 
     @property
+    def bars(self):
+        """Error bars {quantity: {value, bar, mesh, time, period}} of a run with --bars;
+        a bar of None has a "why"."""
+        return self.summary.get("bars", {})
+
+    @property
     def contact(self):
         return self.table("contact.csv")
 

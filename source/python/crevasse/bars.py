@@ -1,0 +1,234 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+# Copyright (C) 2026 by the Crevasse authors
+
+"""Gives the results of a run error bars: what the mesh, the steps and the search for the
+periodic state leave. Companion runs with larger cells and fewer steps show it; those
+that are finished are not computed again. "crevasse SCENE --bars" calls this after the
+run."""
+
+import json
+import math
+import pathlib
+import shutil
+
+from crevasse.advise_runs import Runs
+from crevasse.bars_companions import SAFETY, Choice, factor
+from crevasse.bars_compare import (Histories, difference, largest, missed_by_samples,
+                                   mode_two_of_closed_tip, quantities_of)
+from crevasse.bars_text import table_of, to_halve
+from crevasse.command import CommandError, Parser, write_file
+from crevasse.results import is_number
+from crevasse.run_reader import Run
+from crevasse.sweep import make_runs
+
+NO_LIMIT = "no limit"
+ROUNDING = 1e-9  # of the largest stress
+LARGE, FALLS = .15, .85  # differences of a quantity without a limit, as h is halved
+# Part of K_II that K_I of a closed tip between two lips may have where it is 0
+# (doc/crack_tip.md). Meshes that are not symmetric about the crack have it in common.
+SLIDING = .05
+# What changes Delta_K_eff, which itself is found from samples.
+OF_RANGE = ("K_I_largest", "K_opening", "K_II_largest", "K_II_smallest")
+OF_A_TIP = ("s", "pressure")  # what a tip makes infinite
+
+
+def arguments(words):
+    parser = Parser("bars", description=__doc__)
+    parser.add_argument("results", nargs=1, type=pathlib.Path)
+    parser.add_common("the results")
+    # The scene comes second, for the run is what is asked for.
+    options = parser.parse(words)
+    options.scene, options.results = options.results[0], options.scene
+    return options
+
+
+class Bars:
+    """The error bars of one run."""
+
+    def __init__(self, options, program, log):
+        self.results, self.program, self.log = options.results, program, log
+        self.directory = self.results / "bars"
+        self.own = Run(self.results)
+        if not self.own.finished:
+            raise CommandError(f"{self.results}: the run is not finished.", 2)
+        self.scene = self.own.parameters
+        overrides = dict(text.partition("=")[::2] for text in options.set)
+        self.runs = Runs(program, options.scene, overrides, self.directory, log, False)
+        self.choice = Choice(self.own)
+        self.mine = Histories(self.results, self.own.period)
+        self.quantities = quantities_of(self.scene, self.mine)
+
+    def run(self):
+        self.forget_older_runs()
+        meshes, steps = self.choice.meshes(), self.choice.steps()
+        share = sum(mesh.cost for mesh in meshes) + (
+            steps[0].cost * min(meshes[0].cost, 1.) if steps else 0.)
+        seconds = self.own.summary.get("processor_seconds", 0.)
+        self.log(f"Error bars: companion runs, about {share * seconds:.2g} s "
+                 f"({100 * share:.0f} % of the run)")
+        self.in_space(meshes)
+        self.in_time(steps)
+        bars = {quantity.name: self.bar(quantity) for quantity in self.quantities}
+        if (stress := self.own.summary_number("extremes", "stress")) is not None:
+            bars["largest_stress"] = no_bar(stress, NO_LIMIT + (
+                ": the largest at quadrature points, which lie elsewhere on each mesh"))
+        self.write(bars)
+
+    def forget_older_runs(self):
+        """Removes the companions of an earlier run in this directory."""
+        begun = (self.results / "used.prm").stat().st_mtime
+        for path in self.directory.glob("runs/*/finished.json"):
+            if path.stat().st_mtime < begun:
+                shutil.rmtree(path.parent)
+
+    def companion(self, name, settings):
+        """Histories of a companion run; None, with the reason in the log, if it fails."""
+        run = self.runs.run(name, self.choice.common() | settings)
+        if run.usable:
+            return Histories(self.runs.folder(run), self.own.period), ""
+        reason = " ".join(run.message.split()).split(". ")[0].rstrip(".")
+        self.log(f"  {name} {run.status}: {reason}")
+        return None, f"the companion run {name} {run.status}: {reason}"
+
+    def in_space(self, meshes):
+        """Runs companions on other meshes; if the coarser one is refused, on a finer."""
+        self.meshes, self.why_no_mesh = [], ""
+        for mesh in [*meshes, self.choice.finer()]:
+            if mesh.ratio < 1. and self.meshes:
+                break
+            run, self.why_no_mesh = self.companion(mesh.name, mesh.settings)
+            if run:
+                self.meshes.append((mesh, run))
+            elif self.meshes:
+                break
+
+    def in_time(self, steps):
+        """Steps are compared on the cheaper mesh."""
+        on_mesh, base = {}, self.mine
+        if self.meshes and self.meshes[0][0].ratio > 1.:
+            on_mesh, base = self.meshes[0][0].settings, self.meshes[0][1]
+        self.time, self.why_no_time = None, ""
+        for other in steps:
+            run, why = self.companion(other.name, on_mesh | other.settings)
+            if run:
+                self.time = other, base, run
+                self.why_no_time = ""
+                return
+            self.why_no_time = why
+
+    def bar(self, quantity):
+        value = largest(quantity, self.mine)
+        if self.is_at_a_tip(quantity):
+            return no_bar(value, NO_LIMIT + ": beside a crack tip")
+        mesh, why = self.mesh_part(quantity, value)
+        time, why_time = self.time_part(quantity)
+        period = self.period_part(quantity, value)
+        parts = {"mesh": mesh, "time": time, "period": period}
+        if why or why_time:
+            return no_bar(value, why or why_time) | parts
+        return {"value": value, "bar": mesh + time + period, **parts}
+
+    def mesh_part(self, quantity, value):
+        if not self.meshes:
+            return None, self.why_no_mesh
+        changes, why = self.changes(quantity)
+        if why:
+            return None, why
+        if self.choice.is_adaptive and quantity.of == "s":
+            # It keeps the cells far from the tip: the probes stand for each other.
+            changes = [max(rest) for rest in zip(*(
+                self.changes(other)[0] for other in self.quantities if other.of == "s"))]
+        if quantity.of in OF_A_TIP and self.grows(quantity, changes):
+            return None, NO_LIMIT + ": it grows as the cells are halved"
+        part = self.choice.mesh_part(quantity.of, changes,
+                                     [mesh.ratio for mesh, _ in self.meshes])
+        of_sliding = SLIDING * mode_two_of_closed_tip(quantity, self.mine)
+        return max(part, SAFETY * min(abs(value), of_sliding)), ""
+
+    def grows(self, quantity, changes):
+        """Whether a stress grows from mesh to mesh, by more than rounding."""
+        if len(changes) < 2:
+            return False
+        coarsest, coarser = (largest(quantity, run) for _, run in self.meshes[::-1])
+        finest = largest(quantity, self.mine)
+        rounding = ROUNDING * (self.own.summary_number("extremes", "stress") or 0.)
+        return (finest > coarser > coarsest and changes[0] > FALLS * changes[1]
+                and changes[0] > max(LARGE * finest, rounding))
+
+    def changes(self, quantity):
+        """Differences from mesh to mesh, or why there are none."""
+        changes, finer = [], self.mine
+        for _, run in self.meshes:
+            change, why = difference(quantity, finer, run)
+            if change is None:
+                return changes, "" if changes else why
+            changes.append(change)
+            finer = run
+        return changes, ""
+
+    def time_part(self, quantity):
+        if self.time is None:
+            return (None, self.why_no_time) if self.why_no_time else (0., "")
+        if quantity.of == "Delta_K_eff":
+            tip = quantity.name.removeprefix("Delta_K_eff")
+            parts = [self.time_part(other)[0] for other in self.quantities
+                     if other.name in [name + tip for name in OF_RANGE]]
+            return (None, "K_op is unknown") if None in parts else (sum(parts), "")
+        other, base, run = self.time
+        change, why = difference(quantity, base, run)
+        if change is None:
+            return None, why
+        order = 1. if other.name == "larger_tolerance" else self.choice.order_in_time
+        return (factor(other.ratio, order) * change
+                + missed_by_samples(quantity, self.mine, self.choice.locates_events)), ""
+
+    def period_part(self, quantity, value):
+        """The estimated error of the stress that the run has printed, relative; none if
+        no periodic state is asked for. Drift is what displacements gain in a period."""
+        if float(self.scene["Periodic state/Tolerance"]) == 0.:
+            return 0.
+        estimates = self.own.summary.get("stress_error_estimate") or [0.]
+        part = next((part for part in reversed(estimates) if is_number(part)), 0.)
+        if quantity.of == "drift":
+            value = (self.own.summary_number("extremes", "displacement") or 0.
+                     ) / self.own.period
+        return part * abs(value)
+
+    def is_at_a_tip(self, quantity):
+        if quantity.of not in OF_A_TIP:
+            return False
+        cell = self.own.summary.get("smallest_cell") or 0.
+        return any(math.dist(quantity.probe[:len(tip)], tip) <= cell
+                   for tip in self.tips())
+
+    def tips(self):
+        """Crack tips in the plane, or of a straight front of a built-in shape."""
+        summary, shape = self.own.summary, self.scene["Geometry/Shape"]
+        named = summary.get("crack_tips") or [summary.get("crack_tip") or {}]
+        tips = [tip["position"] for tip in named if tip.get("position")]
+        if not tips and "crack" in shape:
+            length = float(self.scene["Geometry/Crack length"])
+            tips = [(length if shape == "centre crack" else
+                     float(self.scene["Geometry/Width"]) - length, 0.)]
+        return tips
+
+    def write(self, bars):
+        path = self.results / "summary.json"
+        summary = json.loads(path.read_text(encoding="utf-8"))
+        summary["bars"] = bars
+        write_file(path, json.dumps(summary, indent=2, ensure_ascii=False) + "\n")
+        lines = [*table_of(bars), *to_halve(bars, self.choice, self.own)]
+        for line in lines:
+            self.log(line)
+        with open(self.results / "log.txt", "a", encoding="utf-8") as file:
+            file.write("".join(line + "\n" for line in lines))
+
+
+def no_bar(value, why):
+    return {"value": value, "bar": None, "mesh": None, "time": None, "period": None,
+            "why": why}
+
+
+def main(words):
+    return make_runs(Bars, arguments(words), "bars.log", "The results and the finished "
+                     "companion runs are kept: repeat the command with --resume.")

@@ -1,0 +1,201 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+# Copyright (C) 2026 by the Crevasse authors
+
+"""The runs that error bars compare a run with: the same scene with larger (or smaller)
+cells, or with other steps, and the factor by which a difference becomes an error."""
+
+import dataclasses
+import math
+
+from crevasse.quantities import has_lip
+
+ORDERS = {"euler": 1.}  # of time schemes; all others have 2 or more
+SMALLEST_RATIO = 1.3  # of the sizes of cells, that a difference says something
+# Factors of safety: of Roache's grid convergence index; at a tip, where coarse meshes
+# have not reached their order; and where an adaptive mesh keeps cells of its companion.
+SAFETY, SAFETY_AT_TIP, SAFETY_ADAPTIVE = 1.25, 1.5, 2.
+LOCAL = ("s", "pressure", "force")
+
+
+@dataclasses.dataclass
+class Companion:
+    """A run with cells or steps that are `ratio` times as large."""
+    name: str
+    settings: dict
+    ratio: float
+    cost: float  # predicted, as part of the run's
+
+
+def factor(ratio, order, safety=SAFETY):
+    """Bar of a run as a multiple of its difference from a companion: errors c h^p of the
+    run and c (ratio h)^p of the companion differ by |ratio^p - 1| c h^p."""
+    return safety / abs(ratio ** order - 1.)
+
+
+class Choice:
+    """Companions that suit a scene."""
+
+    def __init__(self, run):
+        self.scene, self.summary = run.parameters, run.summary
+        self.dim = run.dimension
+        effects = self.summary.get("effects", {})
+        self.functions = effects.get("singular functions", {}).get("on")
+        self.has_singular_tip = (has_lip(self.scene) and not self.functions
+                                 and self.scene["Geometry/Shape"] != "rectangle")
+        self.is_adaptive = self.scene["Refinement/Strategy"] == "adaptive"
+        self.unknowns = self.summary["unknowns"]
+        self.locates_events = self.scene["Time integration/Locate contact events"] == "true"
+
+    def number(self, name):
+        return int(self.scene[name])
+
+    def order_in_space(self, kind):
+        """Order of a quantity. The energy of a crack tip without singular functions, and
+        with it K and displacements, converges as h, on optimal adaptive meshes as
+        h^(2 Degree); singular functions leave the next term, r^(3/2), whose energy
+        converges as h^3. Stress and pressure at points, and bodies without a tip, are
+        limited by the ends of the contact zone: h^(3/2)."""
+        degree = self.number("Discretisation/Degree")
+        if self.is_adaptive:
+            return 2. * degree
+        if self.functions:
+            return min(degree, 2.) if kind in LOCAL else min(degree + 1., 3.)
+        return 1. if self.has_singular_tip and kind not in LOCAL else 1.5
+
+    def mesh_part(self, kind, changes, ratios):
+        """The bar's part from the mesh, of the changes between meshes with ratios of
+        their cells. Where the error changes its sign, the first change may vanish: the
+        second shows it, unless errors fall faster than elements of this degree let them.
+        """
+        order = self.order_in_space(kind)
+        change = changes[0]
+        if len(changes) == 2:
+            degree = self.number("Discretisation/Degree")
+            change = max(change, changes[1] / ratios[0] ** (degree + 2.))
+        safety = (SAFETY_ADAPTIVE if self.is_adaptive else
+                  SAFETY_AT_TIP if order == 1. else SAFETY)
+        return factor(ratios[0], order, safety) * change
+
+    @property
+    def order_in_time(self):
+        """Schemes have order 2 or more, but a lip's opening and closing are kinks, whose
+        error depends on their place in the step, located or not: two runs show it
+        with an order between 1 and 2."""
+        order = ORDERS.get(self.scene["Time integration/Scheme"], 2.)
+        return min(order, 1.5) if has_lip(self.scene) else order
+
+    def common(self):
+        """Settings of all companions."""
+        table = "Contact/Relaxation table"
+        return self.same_periods() | ({table: ""} if self.scene[table] else {})
+
+    def same_periods(self):
+        """A march of the companion has the periods of the run, so that displacements are
+        those of the same motion."""
+        if not self.summary.get("periodic_method", "").startswith("march"):
+            return {}
+        return {"Periodic state/Method": "march", "Periodic state/Tolerance": 0,
+                "Periodic state/Maximum periods": self.summary["periods"]}
+
+    def meshes(self):
+        """A companion with cells twice as large and one with cells four times as large
+        (of adaptive meshes one with half of the unknowns); where the mesh cannot be
+        coarsened, one with half the cells' size."""
+        coarser = [mesh for times in (1, 2)[:1 if self.is_adaptive else 2]
+                   if (mesh := self.coarser(times))]
+        return coarser or [self.finer()]
+
+    def coarser(self, times):
+        """The mesh with cells 2^times as large; None if there is none."""
+        settings, ratio = {}, 2. ** times
+        if self.is_adaptive:
+            ratio = 2. ** (times / self.dim)
+            settings = {"Refinement/Cycles": 0, "Refinement/Tolerance": 0}
+        else:
+            refinements = self.number("Geometry/Refinements")
+            settings = {"Geometry/Refinements": max(refinements - times, 0)}
+            if times > refinements:
+                coarse = self.subdivided(2. ** (times - refinements))
+                if coarse is None:
+                    return None
+                settings["Geometry/Subdivisions"], ratio = coarse
+                ratio *= 2. ** refinements
+        if self.number("Refinement/Target unknowns") or "Refinement/Cycles" in settings:
+            settings["Refinement/Target unknowns"] = round(
+                self.unknowns / ratio ** self.dim)
+        return Companion("coarser" if times == 1 else "coarsest", settings, ratio,
+                         ratio ** -self.dim)
+
+    def finer(self):
+        settings = {"Geometry/Refinements": self.number("Geometry/Refinements") + 1}
+        if target := self.number("Refinement/Target unknowns"):
+            settings["Refinement/Target unknowns"] = 2 ** self.dim * target
+        return Companion("finer", settings, .5, 2.5 ** self.dim)
+
+    def subdivided(self, times):
+        """Subdivisions divided by a number, and how many times larger the cells become;
+        None if that is impossible. The crack tip stays a vertex."""
+        if self.scene["Geometry/Shape"] == "mesh file":
+            return None
+        n = self.subdivisions()
+        fraction = None
+        if "crack" in self.scene["Geometry/Shape"]:
+            fraction = (float(self.scene["Geometry/Crack length"])
+                        / float(self.scene["Geometry/Width"]))
+        first = divided(n[0], times, fraction)
+        coarse = [first] + [max(1, round(k * first / n[0])) for k in n[1:]]
+        ratio = math.prod(k / c for k, c in zip(n, coarse)) ** (1. / self.dim)
+        if ratio < SMALLEST_RATIO * times / 2. or (fraction and first < 2):
+            return None
+        return ", ".join(map(str, coarse)), ratio
+
+    def subdivisions(self):
+        """As in parameters/automatic.cc."""
+        text = self.scene["Geometry/Subdivisions"]
+        if text != "automatic":
+            return list(map(int, text.split(",")))
+        extents = [float(self.scene[f"Geometry/{name}"])
+                   for name in ("Width", "Height", "Thickness")][:self.dim]
+        length = min(extents)
+        if "crack" in self.scene["Geometry/Shape"]:
+            crack = float(self.scene["Geometry/Crack length"])
+            length = min(crack, extents[0] - crack, extents[1])
+        part, most = ((7., 64.), (4., 24.))[self.dim - 2]
+        size = max(length / part, max(extents) / most)
+        return [max(1, round(extent / size)) for extent in extents]
+
+    def steps(self):
+        """Companions with other steps, the cheapest first: explicit schemes refuse steps
+        beyond their stability limit."""
+        control = self.scene["Time integration/Step control"]
+        n = self.number("Time integration/Steps per period")
+        if self.scene["Material/Viscosity"] == "none":
+            return []  # each instant by itself
+        if control == "uniform":
+            name = "Time integration/Steps per period"
+            half = [Companion("half_of_the_steps", {name: n // 2}, 2., .5)]
+            return half * (n % 2 == 0 and n >= 8) + [
+                Companion("twice_the_steps", {name: 2 * n}, .5, 2.)]
+        if control == "list":
+            instants = [0., *map(float, self.scene["Time integration/Steps"].split(",")),
+                        float(self.scene["Loads/Period"])]
+            all_of_them = sorted({t for a, b in zip(instants, instants[1:])
+                                  for t in (a, (a + b) / 2)} - {0.})
+            return [Companion("twice_the_steps", {
+                "Time integration/Steps": ", ".join(map(repr, all_of_them))}, .5, 2.)]
+        return [Companion("larger_tolerance", {
+            f"Time integration/{kind} tolerance": 4. * float(
+                self.scene[f"Time integration/{kind} tolerance"])
+            for kind in ("Relative", "Absolute")}, 4., .6)]
+
+
+def divided(n, times, fraction):
+    """The number of cells nearest to n/times that puts a vertex at a fraction, if n
+    does."""
+    def has_vertex(k):
+        return fraction is None or abs(k * fraction - round(k * fraction)) < 1e-9
+
+    near = [k for k in range(max(1, math.ceil(.7 * n / times)), n)
+            if k <= 1.45 * n / times and (has_vertex(k) or not has_vertex(n))]
+    return min(near or [math.ceil(n / times)],
+               key=lambda k: (abs(math.log(k * times / n)), -k))

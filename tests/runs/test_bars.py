@@ -1,0 +1,203 @@
+"""crevasse SCENE --bars: true values lie inside of the bars, parts that are missing, what
+has no limit, and what an interrupted command goes on with."""
+
+import json
+import os
+import pathlib
+import shutil
+import signal
+import subprocess
+
+from crevasse_run import (PROGRAM, SOURCE, check, check_below, check_close, execute,
+                          execute_on, full, overrides, tier, wait_until)
+from mpi_environment import ENVIRONMENT
+
+os.environ["CREVASSE_PROGRAM"] = str(PROGRAM)
+import crevasse  # noqa: E402
+from crevasse.bars_companions import divided  # noqa: E402
+from crevasse.run_page import page  # noqa: E402
+
+ELASTIC = SOURCE / "prm/studies/crack_tip_elastic.prm"
+PERIODIC = SOURCE / "prm/raous1980.prm"
+K_I, OPENING = 35.41196, 3.805445e-3  # doc/crack_tip.md
+SMALL = ["Geometry/Subdivisions=8, 8", "Contact/Solver=automatic", "Output/Fields=none"]
+
+
+def elastic(degree, functions, cells, *more):
+    return [f"Discretisation/Degree={degree}",
+            f"Discretisation/Singular functions={functions}",
+            f"Geometry/Subdivisions={cells}", *more]
+
+
+def adaptive(unknowns):
+    return "Refinement/Strategy=adaptive", f"Refinement/Target unknowns={unknowns}"
+
+
+# The meshes of doc/crack_tip.md.
+MESHES = [elastic(2, 2, "14, 14"), elastic(1, 0, "14, 4"),
+          *tier([], [elastic(1, 3, "14, 4"), elastic(1, 0, "28, 28"),
+                     elastic(1, 1, "28, 28"), elastic(1, 2, "4, 4", *adaptive(3000)),
+                     elastic(2, 0, "14, 4"), elastic(2, 2, "14, 4"),
+                     elastic(2, 0, "14, 14"), elastic(2, 3, "14, 14"),
+                     elastic(2, 2, "8, 8", "Refinement/Strategy=tip",
+                             "Refinement/Cycles=2"),
+                     elastic(2, 0, "2, 2", *adaptive(3000)),
+                     elastic(2, 2, "4, 4", *adaptive(3000))])]
+
+
+def bars(name, scene, settings=(), *words, fresh=True, run=execute, status=0):
+    """The bars in the summary, and what was printed."""
+    directory = pathlib.Path("results") / name
+    if fresh:
+        shutil.rmtree(directory, ignore_errors=True)
+    code, output, error = run(scene, "--bars", "--output", directory,
+                              *overrides(settings), *words)
+    check(code == status, f"{name}: exit status {code}, not {status}\n{output}{error}")
+    print(output + error)
+    return crevasse.read(directory).bars, output + error
+
+
+def computed_at(name):
+    return {path.parent.name: path.stat().st_mtime_ns for path in
+            pathlib.Path("results", name).glob("bars/runs/*/finished.json")}
+
+
+def test_square():
+    """Inside, and not by a bar that is wide of it."""
+    for k, settings in enumerate(MESHES):
+        found, output = bars(f"square_{k}", ELASTIC, settings)
+        for name, exact in (("K_I_largest", K_I), ("opening", OPENING)):
+            entry = found[name]
+            error = abs(entry["value"] - exact)
+            print(settings, name, entry, error)
+            check(error <= entry["bar"], f"{name} = {entry['value']} ± {entry['bar']}")
+            check(entry["bar"] <= 5. * error or error < 1e-6 * exact,
+                  f"{name}: {entry['bar']} for an error of {error}")
+        stress = found["largest_stress"]
+        check(stress["bar"] is None and "no limit" in stress["why"], f"{stress}")
+        check("error bars" in output and "to halve the bar" in output, output)
+
+
+def test_parts():
+    """Steps and periods have their parts; [Output] Error bars, report and Results."""
+    directory = pathlib.Path("results/parts")
+    shutil.rmtree(directory, ignore_errors=True)
+    code, output, error = execute(
+        PERIODIC, "--output", directory, *overrides(
+            [*SMALL, "Output/Error bars=true", "Crack tip/Stress intensity=true",
+             "Output/Probes=C: 1, 0; tip: 0.5, 0; side: 1, 0.5"]))
+    check(code == 0, error)
+    results = crevasse.read(directory)
+    found = results.bars
+    estimate = results.summary["stress_error_estimate"][-1]
+    check_close(found["K_I_largest"]["period"],
+                estimate * found["K_I_largest"]["value"], 1e-12, "part of the periods")
+    for name in ("probe C u", "probe C opening", "contact force", "probe side s"):
+        entry = found[name]
+        check(entry["time"] > 0., f"{name}: {entry}")
+        check_close(sum(entry[part] for part in ("mesh", "time", "period")),
+                    entry["bar"], 1e-12 * entry["bar"], name)
+    for name in ("probe tip s", "probe tip pressure"):
+        check(found[name]["bar"] is None and "no limit: beside a crack tip" ==
+              found[name]["why"], f"{name}: {found[name]}")
+    check(found["probe tip u"]["bar"] is not None, "displacements are finite")
+    text, headline, _, damages = page(directory)
+    check(not damages and "Error bars" in text and "no limit" in text, "report")
+    check(any("largest K_I" in line and "±" in line for line in headline), f"{headline}")
+    log = (directory / "log.txt").read_text()
+    check("error bars of the last period" in log, log)
+
+
+def test_corner():
+    """The stress in the corner of a clamped side grows as a power of the cells."""
+    found, _ = bars("corner", PERIODIC, [
+        *SMALL, "Geometry/Shape=rectangle", "Geometry/Subdivisions=16, 16",
+        "Boundary/Clamped=0", "Boundary/Fixed points=none", "Loads/Traction=10; 0",
+        "Boundary/Loaded=1", "Material/Poisson ratio=0.4",
+        "Periodic state/Tolerance=0", "Periodic state/Maximum periods=1",
+        "Output/Probes=corner: 0, 1; body: 0.5, 0.5"])
+    entry = found["probe corner s"]
+    check(entry["bar"] is None and "no limit: it grows" in entry["why"], f"{entry}")
+    check(found["probe body s"]["bar"] is not None, "the stress inside is finite")
+
+
+def test_refused_companions():
+    """A mesh that cannot be coarsened takes a finer one, steps at their limit of
+    stability shorter ones."""
+    found, _ = bars("finest", PERIODIC, [
+        *SMALL, "Geometry/Subdivisions=2, 1", "Time integration/Scheme=euler",
+        "Time integration/Steps per period=16", "Material/Relaxation time=20",
+        "Periodic state/Tolerance=0"])
+    check(set(computed_at("finest")) >= {"finer", "twice_the_steps"},
+          f"{computed_at('finest')}")
+    check(found["probe C u"]["mesh"] > 0. and found["probe C u"]["time"] > 0., f"{found}")
+
+
+def test_failing_companion():
+    """It does not lose the run: the bar says which part is missing."""
+    found, output = bars("fails", PERIODIC, [
+        "Geometry/Subdivisions=2, 1", "Contact/Maximum iterations=100",
+        "Contact/Tolerance=1e-9", "Output/Fields=none", "Periodic state/Tolerance=0"])
+    entry = found["probe C u"]
+    check(entry["bar"] is None and entry["mesh"] is None and entry["time"] is not None
+          and "the companion run finer failed" in entry["why"], f"{entry}\n{output}")
+
+
+def test_resumed():
+    """Finished companions are kept, those of an earlier run are not."""
+    bars("again", PERIODIC, SMALL)
+    first = computed_at("again")
+    (pathlib.Path("results/again/bars/runs/coarser/finished.json")).unlink()
+    bars("again", PERIODIC, SMALL, "--resume", fresh=False)
+    second = computed_at("again")
+    changed = {name for name in first if first[name] != second[name]}
+    check(changed == {"coarser"}, f"computed again: {changed}")
+    bars("again", PERIODIC, SMALL, "--force", fresh=False)
+    third = computed_at("again")
+    check(all(third[name] > second[name] for name in second), "companions of an old run")
+
+
+@full
+def test_stopped():
+    """A stop ends the companions, and keeps the results."""
+    directory = pathlib.Path("results/stopped")
+    shutil.rmtree(directory, ignore_errors=True)
+    process = subprocess.Popen(
+        [str(PROGRAM), str(PERIODIC), "--bars", "--output", str(directory), "--quiet",
+         *overrides([*SMALL, "Geometry/Subdivisions=56, 56"])], env=ENVIRONMENT)
+    check(wait_until(lambda: (directory / "bars/runs/coarser/used.prm").exists(), process),
+          "it ended too early")
+    process.send_signal(signal.SIGTERM)
+    check(process.wait() == 5, f"exit status {process.returncode}")
+    summary = json.loads((directory / "summary.json").read_text())
+    check("bars" not in summary and summary["converged"], "results of the run")
+
+
+@full
+def test_ranks():
+    found, _ = bars("one", PERIODIC, SMALL)
+    parallel, _ = bars("two", PERIODIC, SMALL,
+                       run=lambda *words: execute_on(2, *words))
+    for name, entry in found.items():
+        if entry["bar"]:
+            check_below(abs(parallel[name]["bar"] / entry["bar"] - 1.), 1e-6, name)
+
+
+def test_bad_commands():
+    for words in (["--bars", "--check"], ["--barz"]):
+        code, _, error = execute(ELASTIC, *words)
+        check(code == 2 and "bars" in error, f"{code} {error}")
+    code, _, error = execute("bars", "nowhere", ELASTIC)
+    check(code != 0 and "nowhere" in error, error)
+    check(divided(14, 2, .5) in (6, 8) and divided(16, 2, .25) == 8, "the tip is a vertex")
+
+
+test_square()
+test_parts()
+test_corner()
+test_refused_companions()
+test_failing_companion()
+test_resumed()
+test_stopped()
+test_ranks()
+test_bad_commands()
