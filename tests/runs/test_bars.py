@@ -7,6 +7,9 @@ import pathlib
 import shutil
 import signal
 import subprocess
+import types
+
+import numpy
 
 from crevasse_run import (PROGRAM, SOURCE, check, check_below, check_close, execute,
                           execute_on, full, overrides, tier, wait_until)
@@ -15,6 +18,7 @@ from mpi_environment import ENVIRONMENT
 os.environ["CREVASSE_PROGRAM"] = str(PROGRAM)
 import crevasse  # noqa: E402
 from crevasse.bars_companions import divided  # noqa: E402
+from crevasse.bars_compare import Quantity, missed_by_samples  # noqa: E402
 from crevasse.run_page import page  # noqa: E402
 
 ELASTIC = SOURCE / "prm/studies/crack_tip_elastic.prm"
@@ -121,6 +125,24 @@ def test_corner():
     check(found["probe body s"]["bar"] is not None, "the stress inside is finite")
 
 
+def test_samples():
+    """What samples of a sine miss at its peak, and a peak of one sample."""
+    def missed(values, t, located=False):
+        table = types.SimpleNamespace(t=t)
+        run = types.SimpleNamespace(values=lambda _: values[None], table=lambda _: table,
+                                    period=1.)
+        quantity = Quantity("contact force", "contact", ("force",), "force", None)
+        return missed_by_samples(quantity, run, located)
+    for phase in (0., .3, .5):
+        t = numpy.linspace(0., 1., 21)
+        y = 2. + numpy.sin(2 * numpy.pi * (t + phase / 20.))
+        check_close(missed(y, t), 3. - y.max(), 5e-4, f"sine, phase {phase}")
+    peak = numpy.array([0., 0., 1., .2, 0.])
+    check_close(missed(peak, numpy.linspace(0., 1., 5)), .4, 1e-12, "a peak")
+    check(missed(peak, numpy.linspace(0., 1., 5), True) < .1, "with located events")
+    check(missed(peak, numpy.array([0., .1, .2, .5, 1.])) == 0., "listed steps")
+
+
 def test_refused_companions():
     """A mesh that cannot be coarsened takes a finer one, steps at their limit of
     stability shorter ones."""
@@ -131,6 +153,10 @@ def test_refused_companions():
     check(set(computed_at("finest")) >= {"finer", "twice_the_steps"},
           f"{computed_at('finest')}")
     check(found["probe C u"]["mesh"] > 0. and found["probe C u"]["time"] > 0., f"{found}")
+    found, output = bars("few_cells", ELASTIC, elastic(
+        1, 0, "5, 5", "Geometry/Crack length=0.2"))
+    check("coarser refused" in output and "finer" in computed_at("few_cells"), output)
+    check(found["K_I_largest"]["bar"] > 0., f"{found['K_I_largest']}")
 
 
 def test_failing_companion():
@@ -195,6 +221,7 @@ def test_bad_commands():
 test_square()
 test_parts()
 test_corner()
+test_samples()
 test_refused_companions()
 test_failing_companion()
 test_resumed()
