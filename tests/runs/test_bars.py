@@ -184,6 +184,20 @@ def test_resumed():
 
 
 @full
+def test_pressed_crack():
+    """K_I of a closed inclined crack is 0: inside of the bars of all tips and meshes."""
+    for k, (degree, functions) in enumerate(((1, 0), (2, 0), (2, 2))):
+        found, _ = bars(f"pressed_{k}", SOURCE / "prm/inclined_crack.prm", [
+            f"Discretisation/Degree={degree}",
+            f"Discretisation/Singular functions={functions}",
+            "Refinement/Strategy=none", "Time integration/Steps per period=20",
+            "Loads/Traction=0; -100*sin(2*pi*t/10)^2 - 10", "Output/Fields=none"])
+        for name in [f"K_I_{end}_{tip}" for end in ("largest", "smallest") for tip in (1, 2)]:
+            check(abs(found[name]["value"]) <= found[name]["bar"], f"{name}: {found[name]}")
+        check(found["K_II_smallest_1"]["bar"] < 2., f"{found['K_II_smallest_1']}")
+
+
+@full
 def test_stopped():
     """A stop ends the companions, and keeps the results."""
     directory = pathlib.Path("results/stopped")
@@ -225,6 +239,7 @@ test_samples()
 test_refused_companions()
 test_failing_companion()
 test_resumed()
+test_pressed_crack()
 test_stopped()
 test_ranks()
 test_bad_commands()
