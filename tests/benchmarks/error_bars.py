@@ -237,7 +237,8 @@ def measure(bars, truth, rows):
             continue
         all_parts = bar["mesh"] + bar["time"] + bar["period"] * (not error["same_periods"])
         for part, mine in (("total", all_parts), ("time", bar["time"])):
-            rounding = error["kind"] in ("contact force", "pressure", "C*") and error["scale"] < 1e-6
+            rounding = (error["kind"] in ("contact force", "pressure", "C*")
+                        and error["scale"] < 1e-6)
             if error[part] > FINEST * error["scale"] > 0. and not rounding:
                 rows.append((error["kind"], part, mine / error[part], name))
 

@@ -12,7 +12,7 @@ import pathlib
 import shutil
 
 from crevasse.advise_runs import Runs
-from crevasse.bars_companions import SAFETY, Choice, factor
+from crevasse.bars_companions import SAFETY, SMALLEST_RATIO, Choice, factor
 from crevasse.bars_compare import (Histories, difference, largest, missed_by_samples,
                                    mode_two_of_closed_tip, quantities_of)
 from crevasse.bars_text import table_of, to_halve
@@ -97,6 +97,13 @@ class Bars:
             if mesh.ratio < 1. and self.meshes:
                 break
             run, self.why_no_mesh = self.companion(mesh.name, mesh.settings)
+            if run and self.choice.is_adaptive:
+                unknowns = self.runs.known[mesh.name].unknowns
+                mesh.ratio = (self.choice.unknowns / unknowns) ** (1. / self.choice.dim)
+                if 1. / SMALLEST_RATIO < mesh.ratio < SMALLEST_RATIO:
+                    run, self.why_no_mesh = None, (
+                        f"the companion run {mesh.name} has {unknowns:.0f} unknowns, too "
+                        "nearly as many as the run")
             if run:
                 self.meshes.append((mesh, run))
             elif self.meshes:
@@ -136,8 +143,8 @@ class Bars:
             return None, why
         if self.choice.is_adaptive and quantity.of == "s":
             # It keeps the cells far from the tip: the probes stand for each other.
-            changes = [max(rest) for rest in zip(*(
-                self.changes(other)[0] for other in self.quantities if other.of == "s"))]
+            changes = [max(rest) for rest in zip(*filter(None, (
+                self.changes(other)[0] for other in self.quantities if other.of == "s")))]
         if quantity.of in OF_A_TIP and self.grows(quantity, changes):
             return None, NO_LIMIT + ": it grows as the cells are halved"
         part = self.choice.mesh_part(quantity.of, changes,

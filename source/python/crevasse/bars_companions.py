@@ -10,7 +10,7 @@ import math
 from crevasse.quantities import has_lip
 
 ORDERS = {"euler": 1.}  # of time schemes; all others have 2 or more
-SMALLEST_RATIO = 1.3  # of the sizes of cells, that a difference says something
+SMALLEST_RATIO = 1.2  # of the sizes of cells, that a difference says something
 # Factors of safety: of Roache's grid convergence index; at a tip, where coarse meshes
 # have not reached their order; and where an adaptive mesh keeps cells of its companion.
 SAFETY, SAFETY_AT_TIP, SAFETY_ADAPTIVE = 1.25, 1.5, 2.

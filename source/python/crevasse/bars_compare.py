@@ -100,7 +100,7 @@ def difference(quantity, one, other):
     """The largest difference of a quantity of two runs, or None and why there is none."""
     mine, theirs = one.values(quantity), other.values(quantity)
     if quantity.table is None:
-        if quantity.name not in other.findings:
+        if not {quantity.name} <= one.findings.keys() & other.findings.keys():
             return None, "a companion run does not have it"
         return abs(one.findings[quantity.name] - other.findings[quantity.name]), ""
     if mine is None or theirs is None or mine.shape[0] != theirs.shape[0]:
