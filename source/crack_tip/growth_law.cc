@@ -12,6 +12,16 @@ namespace Crevasse
 {
   namespace
   {
+    /** 1 − R, at most 1: K < 0 counts as 0. Of mixed modes the equivalent range
+     * may exceed the largest value. */
+    double
+    range_in_largest(const TipHistory &history)
+    {
+      return std::min(history.range / history.largest, 1.);
+    }
+
+
+
     double
     walker_growth(const GrowthConstants &law,
                   const double           range,
@@ -20,9 +30,9 @@ namespace Crevasse
       const double m = law.paris_exponent, K_th = law.paris_threshold;
       if (range <= K_th)
         return 0.;
-      double growth = law.paris_factor * std::pow(range, m) *
-                      std::pow(history.range / history.largest, // 1 − R
-                               (law.walker_exponent - 1.) * m);
+      double growth =
+        law.paris_factor * std::pow(range, m) *
+        std::pow(range_in_largest(history), (law.walker_exponent - 1.) * m);
       if (K_th > 0. && law.threshold_exponent > 0.)
         growth *= -std::expm1(law.threshold_exponent * (1. - range / K_th));
       if (law.toughness == 0.)
@@ -74,8 +84,7 @@ namespace Crevasse
           case FatigueLaw::walker:
             return walker_growth(constants, range, history);
           case FatigueLaw::table:
-            return law.table->growth(range,
-                                     1. - history.range / history.largest);
+            return law.table->growth(range, 1. - range_in_largest(history));
           default:
             return 0.;
         }
@@ -251,6 +260,11 @@ namespace Crevasse
     if (breaks)
       log.line(title + "K_max reaches [Crack tip] Fracture toughness = " +
                law.toughness.text() + ": the crack runs through");
+    else if (std::isnan(growth))
+      log.line(title +
+               "growth is not known: the law has no value for K_max = " +
+               Text::from_number(history.largest, 5) + ", Delta K = " +
+               Text::from_number(history.range, 5) + " (" + text + ")");
     else
       log.line(title + "grows by " + Text::from_number(growth, 5) +
                " a period (" + text +

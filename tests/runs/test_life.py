@@ -253,6 +253,11 @@ def test_laws():
                             "Growth table=two.csv")
         numpy.testing.assert_equal(fatigue[:2], [math.inf, math.inf], law)
         check(not fatigue[2] > 0., law)
+    # R of mixed modes, of which the range may exceed the largest K, is not below 0.
+    mixed = {"K_max": [4.], "Delta_K": [4.1], "Delta_K_eff": [4.1], "C_star": [math.nan]}
+    numpy.testing.assert_allclose(
+        growth(mixed, "Crack growth law=table", "Growth table=two.csv")[0],
+        1e-3 * 2.05**2, rtol=1e-12)
     # A closed crack, of which R is not known, does not grow.
     closed = {"K_max": [0.], "Delta_K": [0.], "Delta_K_eff": [0.], "C_star": [math.nan]}
     for law in (["table", "Growth table=two.csv"],
