@@ -109,11 +109,14 @@ namespace Crevasse
           }
       }
     Utilities::MPI::sum(sums, body.space.communicator(), sums);
+    // A lip that is pressed while nothing flows must still be seen to be.
+    constexpr double                    least = 1e-9;
     std::vector<dealii::Vector<double>> weights(shares.size(),
                                                 dealii::Vector<double>(n));
     for (unsigned int j = 0; j < shares.size(); ++j)
       for (unsigned int k = 0; k < n; ++k)
-        weights[j](k) = sums[j * n + k] / sums[shares.size() * n + k];
+        weights[j](k) =
+          std::max(least, sums[j * n + k] / sums[shares.size() * n + k]);
     return weights;
   }
 

@@ -171,6 +171,20 @@ def test_singular_fluidity():
     check_below(difference(marched, found), 1e-8, "difference")
 
 
+def test_pressed_while_cold():
+    """Under a mean tension the lip flows open until it is never pressed, also where it
+    is so only while nothing flows: the stress is that with a wide gap."""
+    for rate in (0.05, 0.1, 0.2, 0.4):  # fluidity over 4 to 35 decades
+        settings = MESH + steps(40) + averaged(tolerance=1e-6, periods=5) + [
+            traction("0; 10*sin(2*pi*t/600) + 1"),
+            "Loads/Temperature=100*sin(2*pi*t/600)",
+            f"Material/Relaxation time=300*exp({rate}*(100 - theta))"]
+        found = compute("cold", settings)
+        opened = compute("wide", settings + ["Boundary/Gap=-1"])
+        print(f"{found.summary['periods']} periods")
+        check_below(difference(opened, found), 1e-8, f"rate {rate}: difference")
+
+
 def test_steps_and_solvers():
     """Steps that end where contact changes, adaptive steps, explicit steps, and
     contact solvers that do not condense."""
@@ -338,6 +352,7 @@ if __name__ == "__main__":
     test_error_estimate()
     test_power_law()
     test_singular_fluidity()
+    test_pressed_while_cold()
     test_steps_and_solvers()
     test_cost()
     test_random_bodies()

@@ -22,7 +22,9 @@ namespace Crevasse
    * The estimated error of a period's stress is the largest stress that the
    * step from its beginning would cause, and at least a hundredth of the change
    * from the period before: a step that changes contact much may promise a
-   * better period than the next one is.
+   * better period than the next one is. It is at least the change itself where
+   * that shrinks less than the steps of an averaged body make it: these then
+   * miss something.
    */
   template <int dim>
   class Averaged
@@ -52,6 +54,7 @@ namespace Crevasse
                                       archive.at_points(start);
                                       archive.at_points(r);
                                       archive.common(least_residual);
+                                      archive.common(last_change);
                                       acceleration.serialize(archive);
                                       averaged.lip.serialize(archive);
                                     });
@@ -62,7 +65,10 @@ namespace Crevasse
             return;
           r                                 = step;
           const double     change_of_stress = averaged.compute(r);
-          constexpr double part_of_change   = 0.01;
+          constexpr double small_part = 0.01, slowest = 0.4;
+          const double     part_of_change =
+            change_of_stress > slowest * last_change ? 1. : small_part;
+          last_change = change_of_stress;
           (*averaged).find_step(periods.increment(),
                                 averaged.lip,
                                 step,
@@ -104,6 +110,7 @@ namespace Crevasse
     AveragedPeriods<dim> &averaged;
     AndersonAcceleration  acceleration;
     double                least_residual = std::numeric_limits<double>::max();
+    double                last_change    = std::numeric_limits<double>::max();
   };
 } // namespace Crevasse
 

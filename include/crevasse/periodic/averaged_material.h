@@ -30,8 +30,8 @@ namespace Crevasse
                      const StressHistory     &stresses);
 
     /** Weights of each stage in the mean contact force on each bound: parts of
-     * the flow, in the mean over the cells around. The sum over the stages is
-     * 1. Collective.
+     * the flow, in the mean over the cells around, and at least 1e-9. The sum
+     * over the stages is 1 but for that. Collective.
      *
      * @param bounded unknowns of the bounds on all ranks. */
     std::vector<dealii::Vector<double>>
