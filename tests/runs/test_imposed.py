@@ -5,6 +5,8 @@ lips, singular functions, multigrid and two processes; reactions against loads."
 import math
 import pathlib
 
+import meshio
+
 from cracked import CRACK, square
 from crevasse_run import check, check_below, execute, overrides, plain, run, run_on
 
@@ -116,6 +118,27 @@ def test_relaxation():
     check_below(worst(columns(law, "s_22"),
                       [1 / math.sqrt(1 + 2 * t) for t in columns(law, "t")], 1.), 1e-6,
                 "relaxation with a power law")
+
+
+def test_heat():
+    """Thermal strain beside an imposed displacement."""
+    results = run(BAR, "heat", [*ELASTIC, "Material/Thermal expansion=1e-4",
+                                "Loads/Temperature=50*sin(2*pi*t/4)"])
+    exact = [0.5 * math.sin(2 * math.pi * t / 4) for t in columns(results, "t")]
+    check_below(worst(columns(results, "s_22"), exact, 0.5), 1e-12, "stress of a warm bar")
+
+
+def test_flow_in_fields():
+    """Probe and fields have displacement and rate; the formula repeats, by itself it
+    does not."""
+    results = run(BAR, "parabola", [
+        "Loads/Displacement=free; 0.005*t*(4 - t)", "Loads/Displacement rate=free; 0.003",
+        "Periodic state/Maximum periods=2", "Output/Fields=vtu"])
+    exact = [0.005 * (t % 4) * (4 - t % 4) + 0.003 * t for t in columns(results, "t")]
+    check_below(worst(columns(results, "u_2", "top"), exact, 0.02), 1e-12, "at the probe")
+    mesh = meshio.read(results.directory / "solution_0000.0.vtu")
+    moved = mesh.point_data["displacement"][mesh.points[:, 1] > 1.99, 1]
+    check_below(abs(moved / 0.024 - 1).max(), 1e-6, "in fields")  # of seven digits
 
 
 METHODS = ["Time integration/Scheme=trapezoid", "Time integration/Steps per period=40",
@@ -278,6 +301,8 @@ def test_inclined_supports_are_refused():
 test_elastic_bar()
 test_elastic_shear()
 test_relaxation()
+test_heat()
+test_flow_in_fields()
 test_secular_bar()
 test_methods_with_contact()
 test_chain_averaged()
