@@ -9,46 +9,6 @@
 
 namespace Crevasse
 {
-  namespace
-  {
-    /** Rule for faces from a tip, exact for polynomials of √r. */
-    template <int dim>
-    dealii::Quadrature<dim - 1>
-    root_rule(const bool tip_is_first)
-    {
-      const dealii::QGauss<1>             gauss(8);
-      std::vector<dealii::Point<dim - 1>> points(gauss.size());
-      std::vector<double>                 weights;
-      for (unsigned int k = 0; k < gauss.size(); ++k)
-        {
-          const double s = gauss.point(k)[0];
-          points[k][0]   = tip_is_first ? s * s : 1. - s * s;
-          weights.push_back(2. * s * gauss.weight(k));
-        }
-      return dealii::Quadrature<dim - 1>(points, weights);
-    }
-
-
-
-    /** Number of the vertex of a face where a singular function has its tip, if
-     * any. */
-    template <int dim, typename Face>
-    std::optional<unsigned int>
-    tip_of(const Space<dim> &space, const Face &face)
-    {
-      if constexpr (dim == 2)
-        if (const SingularShapes *shapes = space.singular_shapes())
-          for (const SingularFunction &function : shapes->functions)
-            for (const unsigned int v : face->vertex_indices())
-              if (face->vertex(v).distance(function.tip.position) <
-                  1e-8 * face->diameter())
-                return v;
-      return {};
-    }
-  } // namespace
-
-
-
   std::vector<std::pair<unsigned int, Expression>>
   components_in_volume(const LoadParameters &parameters)
   {
@@ -200,17 +160,19 @@ namespace Crevasse
                 values.reinit(cell, face);
                 visit(cell, values, part.force.along_normal);
               };
-              const auto tip = tip_of<dim>(space, cell->face(face));
-              if (!tip)
-                {
-                  visit_face(face_values);
-                  continue;
-                }
-              dealii::FEFaceValues<dim> at_tip(space.mapping,
-                                               space.finite_element,
-                                               root_rule<dim>(*tip == 0),
-                                               face_values.get_update_flags());
-              visit_face(at_tip);
+              if constexpr (dim == 2)
+                if (const SingularShapes *shapes = space.singular_shapes())
+                  if (const auto rule = shapes->rule_from_tip(cell->face(face)))
+                    {
+                      dealii::FEFaceValues<2> at_tip(
+                        space.mapping,
+                        space.finite_element,
+                        *rule,
+                        face_values.get_update_flags());
+                      visit_face(at_tip);
+                      continue;
+                    }
+              visit_face(face_values);
             }
   }
 

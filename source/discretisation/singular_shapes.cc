@@ -4,10 +4,13 @@
 #include <crevasse/discretisation/singular_shapes.h>
 
 #include <deal.II/base/numbers.h>
+#include <deal.II/base/quadrature_lib.h>
 #include <deal.II/base/utilities.h>
 #include <deal.II/dofs/dof_tools.h>
 #include <deal.II/fe/fe_values_extractors.h>
 #include <deal.II/lac/affine_constraints.h>
+
+#include <numeric>
 
 namespace Crevasse
 {
@@ -83,7 +86,8 @@ namespace Crevasse
 
   SingularShapes::SingularShapes(const SingularFunctions &functions,
                                  const Mapping<2>        &mapping,
-                                 const DoFHandler<2>     &dof_handler)
+                                 const DoFHandler<2>     &dof_handler,
+                                 const Quadrature<1>     &face_rule)
     : functions(functions)
   {
     const IndexSet relevant =
@@ -121,6 +125,67 @@ namespace Crevasse
         hanging_nodes.distribute(vector);
         vector.update_ghost_values();
       }
+    find_fluxes(mapping, dof_handler, face_rule);
+  }
+
+
+
+  std::optional<Quadrature<1>>
+  SingularShapes::rule_from_tip(
+    const Triangulation<2>::face_iterator &face) const
+  {
+    for (const SingularFunction &function : functions)
+      for (const unsigned int v : face->vertex_indices())
+        if (face->vertex(v).distance(function.tip.position) <
+            1e-8 * face->diameter())
+          {
+            const QGauss<1>       gauss(8);
+            std::vector<Point<1>> points;
+            std::vector<double>   weights;
+            for (unsigned int k = 0; k < gauss.size(); ++k)
+              {
+                const double s = gauss.point(k)[0];
+                points.emplace_back(v == 0 ? s * s : 1. - s * s);
+                weights.push_back(2. * s * gauss.weight(k));
+              }
+            return Quadrature<1>(points, weights);
+          }
+    return {};
+  }
+
+
+
+  void
+  SingularShapes::find_fluxes(const Mapping<2>    &mapping,
+                              const DoFHandler<2> &dof_handler,
+                              const Quadrature<1> &face_rule)
+  {
+    fluxes.assign(size(),
+                  std::vector<Tensor<2, 2>>(
+                    dof_handler.get_triangulation().n_active_cells()));
+    const UpdateFlags flags = update_values | update_quadrature_points |
+                              update_JxW_values | update_normal_vectors;
+    FEFaceValues<2> usual(mapping, dof_handler.get_fe(), face_rule, flags);
+    std::vector<std::vector<Tensor<1, 2>>> on_face;
+    const auto add = [&](const auto &cell, const auto f, auto &&face_values) {
+      face_values.reinit(cell, f);
+      values(face_values, on_face);
+      for (unsigned int k = 0; k < size(); ++k)
+        for (const unsigned int q : face_values.quadrature_point_indices())
+          fluxes[k][cell->active_cell_index()] +=
+            face_values.JxW(q) *
+            outer_product(on_face[k][q], face_values.normal_vector(q));
+    };
+    for (const auto &cell : dof_handler.active_cell_iterators())
+      for (const unsigned int f : cell->face_indices())
+        if (!cell->is_locally_owned())
+          break;
+        else if (const auto rule = rule_from_tip(cell->face(f)))
+          add(cell,
+              f,
+              FEFaceValues<2>(mapping, dof_handler.get_fe(), *rule, flags));
+        else
+          add(cell, f, usual);
   }
 
 
@@ -147,20 +212,29 @@ namespace Crevasse
 
   void
   SingularShapes::gradients(
-    const FEValuesBase<2>                  &values,
+    const FEValues<2>                      &values,
     std::vector<std::vector<Tensor<2, 2>>> &result) const
   {
-    const Point<2> center = values.get_cell()->center();
+    const auto    &cell    = values.get_cell();
+    const Point<2> center  = cell->center();
+    const auto    &weights = values.get_JxW_values();
+    const double   area = std::accumulate(weights.begin(), weights.end(), 0.);
     result.resize(size());
     for (unsigned int k = 0; k < size(); ++k)
       {
         result[k].resize(values.n_quadrature_points);
         values[FEValuesExtractors::Vector(0)].get_function_gradients(
           interpolated[k], result[k]);
+        Tensor<2, 2> missing = fluxes[k][cell->active_cell_index()];
         for (const unsigned int q : values.quadrature_point_indices())
-          result[k][q] =
-            functions[k].gradient(values.quadrature_point(q), center) -
-            result[k][q];
+          {
+            result[k][q] =
+              functions[k].gradient(values.quadrature_point(q), center) -
+              result[k][q];
+            missing -= weights[q] * result[k][q];
+          }
+        for (Tensor<2, 2> &gradient : result[k])
+          gradient += missing / area;
       }
   }
 } // namespace Crevasse

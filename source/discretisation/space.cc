@@ -46,7 +46,8 @@ namespace Crevasse
       if (!singular_functions.empty())
         shapes = std::make_unique<SingularShapes>(singular_functions,
                                                   mapping,
-                                                  dof_handler);
+                                                  dof_handler,
+                                                  face_rule);
     make_supports();
     lip = LipBasis<dim>(
       dof_handler, mapping, face_rule, roles, supports_and_hanging);

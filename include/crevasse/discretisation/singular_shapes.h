@@ -9,11 +9,13 @@
 #include <crevasse/grid/crack_tip.h>
 #include <crevasse/material/plane_elasticity.h>
 
+#include <deal.II/base/quadrature.h>
 #include <deal.II/dofs/dof_handler.h>
 #include <deal.II/fe/fe_values.h>
 #include <deal.II/fe/mapping.h>
 
 #include <limits>
+#include <optional>
 
 namespace Crevasse
 {
@@ -84,13 +86,21 @@ namespace Crevasse
    * where displacements, constraints and the bounds of the lip keep their
    * meaning, and are small away from the tip without a cut-off. On a supported
    * boundary, φ between the nodes is of the order of the interpolation error.
+   *
+   * ∂φ/∂x is corrected by a constant in each cell, so that its integral by the
+   * rule of the cell is ∮ φ ⊗ n. No rule for cells is exact at the tip, least
+   * in elongated cells; with this, loads of a uniform stress balance it to
+   * rounding, as without singular functions (Chen, Hillman, Rüter, Int. J.
+   * Numer. Methods Eng. 95, 2013: variational consistency).
    */
   class SingularShapes
   {
   public:
+    /** @param face_rule Rule of faces that do not end at a tip. */
     SingularShapes(const SingularFunctions     &functions,
                    const dealii::Mapping<2>    &mapping,
-                   const dealii::DoFHandler<2> &dof_handler);
+                   const dealii::DoFHandler<2> &dof_handler,
+                   const dealii::Quadrature<1> &face_rule);
 
     const SingularFunctions functions;
 
@@ -106,15 +116,27 @@ namespace Crevasse
     values(const dealii::FEValuesBase<2>                  &values,
            std::vector<std::vector<dealii::Tensor<1, 2>>> &result) const;
 
-    /** Gradients ∂φ_k/∂x of all functions.
-     * @param values Gradients and quadrature points, none of which is the tip.
-     */
+    /** Gradients ∂φ_k/∂x of all functions in a cell of this rank.
+     * @param values Gradients, weights and quadrature points of the cell's
+     * rule, none of which is the tip. */
     void
-    gradients(const dealii::FEValuesBase<2>                  &values,
+    gradients(const dealii::FEValues<2>                      &values,
               std::vector<std::vector<dealii::Tensor<2, 2>>> &result) const;
 
+    /** Rule for a face that ends at a tip, exact for polynomials of √r; none
+     * for other faces. */
+    std::optional<dealii::Quadrature<1>>
+    rule_from_tip(const dealii::Triangulation<2>::face_iterator &face) const;
+
   private:
+    void
+    find_fluxes(const dealii::Mapping<2>    &mapping,
+                const dealii::DoFHandler<2> &dof_handler,
+                const dealii::Quadrature<1> &face_rule);
+
     std::vector<Vector> interpolated; ///< I_h ψ with ghost values
+    /** ∮ φ ⊗ n of each function and active cell of this rank. */
+    std::vector<std::vector<dealii::Tensor<2, 2>>> fluxes;
   };
 } // namespace Crevasse
 
