@@ -245,8 +245,10 @@ class Life:
         rest = (self.lengths.body_ends or 2 * found.edges) - found.edges
         found.transition = found.rates.sum(axis=0) * time / self.period / rest
         largest = found.transition.max()
-        self.log(f"  creep is steady after {times.min():.4g} to {times.max():.4g}; the "
-                 f"crack grows meanwhile by at most {100 * largest:.2g} % of the ligament")
+        time, part = (numpy.format_float_positional(x, digits, fractional=False, trim="-")
+                      for x, digits in ((times.max(), 4), (100 * largest, 2)))
+        self.log(f"  creep is steady after a time of at most {time}; the crack grows "
+                 f"meanwhile by at most {part} % of the ligament")
         if largest > STEADY:
             a = found.edges[(found.transition > STEADY).argmax()]
             self.warnings["transition"] = (
