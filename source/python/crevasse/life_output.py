@@ -126,11 +126,11 @@ def charts_of(table, life):
     yield chart("Crack length over periods", "periods N", "crack length a", [
         line("a(N)", N, a, 0), line("least N", N - error, a, 1, bare=True),
         line("largest N", N + error, a, 1, bare=True)])
-    yield chart("Growth over ΔK", "ΔK", "da/dN", [
-        line("both" if total.any() else "", table["Delta_K"], total, 0),
-        line("fatigue", table["Delta_K"], table["da_dN_fatigue"], 1, bare=True),
-        line("creep", table["Delta_K"], table["da_dN_creep"], 2, bare=True)],
-        log=["x", "y"])
+    parts = [line(name, table["Delta_K"], table[f"da_dN_{name}"], 1 + k, bare=True)
+             for k, name in enumerate(("fatigue", "creep")) if table[f"da_dN_{name}"].any()]
+    yield chart("Growth over ΔK", "ΔK", "da/dN",
+                [line("both", table["Delta_K"], total, 0), *parts] if len(parts) > 1
+                else parts, log=["x", "y"])
     computed = [node["a"] for node in life["lengths"]]
     yield chart("Stress intensity over the length", "crack length a", "K", [
         line(name, a, table[name], k, bare=True)
