@@ -127,7 +127,7 @@ namespace Crevasse
     for (const std::string &assignment : command.overrides)
       words.insert(words.end(), {"--set", assignment});
     if (command.quiet)
-      words.push_back("--quiet");
+      words.emplace_back("--quiet");
     if (seconds)
       words.insert(words.end(),
                    {"--wall-time", std::to_string(std::max(*seconds, 1e-3))});
@@ -185,7 +185,7 @@ namespace Crevasse
           return done;
         std::vector<std::string> words = {"crevasse", "mesh", from, to};
         if (command.trust_mesh) // files that it reads may have changed
-          words.push_back("--trust-mesh");
+          words.emplace_back("--trust-mesh");
         return wait_for_script(words,
                                command.quiet || !command.print_format.empty());
       }

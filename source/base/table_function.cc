@@ -3,10 +3,12 @@
 
 #include <crevasse/base/table_function.h>
 
+// pchip.hpp takes isnan() from there.
 #include <algorithm>
 #include <boost/math/interpolators/pchip.hpp>
 #include <cmath>
 #include <limits>
+#include <math.h>
 
 namespace Crevasse
 {

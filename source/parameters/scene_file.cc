@@ -265,8 +265,8 @@ namespace Crevasse
       (each.section == TableParameters::section ? of_tables : others)
         .push_back(std::move(each));
     apply(of_tables, catalogue, prm, problems);
-    for (std::string &table : scene.tables.files)
-      table = find_file(file_name, table);
+    for (std::string &name : scene.tables.files)
+      name = find_file(file_name, name);
     set(TableParameters::section,
         "Files",
         Text::join(scene.tables.files, ", "),
