@@ -92,12 +92,7 @@ namespace Crevasse
   void
   TipTable::observe(const Sample &sample)
   {
-    if (sample.step == 0)
-      {
-        instants.clear();
-        of_last_period.clear();
-      }
-    before_jump(sample);
+    PeriodObserver::observe(sample);
     std::vector<double> row = {sample.time};
     for (const auto &column : columns_of(analysis, of_last_period.back()))
       row.push_back(column.second);
@@ -162,15 +157,10 @@ namespace Crevasse
   TipTable::between(const Sample &sample)
   {
     // A tip without K at all samples has only rounding in between.
-    if (std::none_of(of_last_period.begin(),
-                     of_last_period.end(),
-                     equivalent_of))
-      return;
-    const auto next =
-      std::lower_bound(instants.begin(), instants.end(), sample.instant);
-    of_last_period.insert(of_last_period.begin() + (next - instants.begin()),
-                          evaluate(sample));
-    instants.insert(next, sample.instant);
+    if (std::any_of(of_last_period.begin(),
+                    of_last_period.end(),
+                    equivalent_of))
+      PeriodObserver::between(sample);
   }
 
 
@@ -305,6 +295,7 @@ namespace Crevasse
            " %; refine the mesh ([Refinement])" +
            (place.two_lips ? ""
                            : " or use [Discretisation] Singular functions"),
+         context.log,
          summary);
   }
 
@@ -328,6 +319,7 @@ namespace Crevasse
            " K_II/K_I varies over the period, but Delta_K (equivalent to the "
            "ranges of K_I and K_II) and da_dN assume modes in phase. Judge "
            "growth by K_I and K_II in crack_tip_N.csv",
+         context.log,
          summary);
   }
 } // namespace Crevasse

@@ -52,6 +52,7 @@ namespace Crevasse
              Text::from_number(std::round(100. * part)) +
              " % of the distance to the next boundary before creep is steady: "
              "C* does not describe its growth",
+           context.log,
            summary);
   }
 

@@ -99,17 +99,6 @@ namespace Crevasse
 
 
 
-    /** Logs a warning that only the end of a run knows, and adds it to the
-     * summary. */
-    void
-    warn(const std::string &warning, Log &log, Summary &summary)
-    {
-      log.line("  warning: " + warning);
-      summary["warnings"].push_back(warning);
-    }
-
-
-
     /** Summarises what was computed and how: versions, sizes, effects, choices,
      * warnings and counters. Collective. */
     template <int dim>

@@ -4,6 +4,8 @@
 #ifndef crevasse_base_log_h
 #define crevasse_base_log_h
 
+#include <crevasse/base/summary.h>
+
 #include <deal.II/base/mpi.h>
 
 #include <fstream>
@@ -90,6 +92,15 @@ namespace Crevasse
     std::string   name;
     std::ofstream file;
   };
+
+  /** Logs a warning that only the end of a run knows, and adds it to the
+   * summary. */
+  inline void
+  warn(const std::string &warning, Log &log, Summary &summary)
+  {
+    log.line("  warning: " + warning);
+    summary["warnings"].push_back(warning);
+  }
 } // namespace Crevasse
 
 #endif

@@ -10,6 +10,7 @@
 #include <crevasse/base/text.h>
 #include <crevasse/postprocess/crack_front_analysis.h>
 #include <crevasse/postprocess/mission_table.h>
+#include <crevasse/time/period_observer.h>
 
 #include <algorithm>
 
@@ -18,7 +19,7 @@ namespace Crevasse
   /** crack_front.csv: K_I, with two lips also K_II and K_III, at the vertices
    * of the front at each step of the last period, written when the run ends.
    * Errors are differences between two sizes of the tube, not bounds. */
-  class CrackFrontTable : public Observer
+  class CrackFrontTable : public PeriodObserver
   {
   public:
     /** References must outlive the CrackFrontTable.
@@ -37,34 +38,15 @@ namespace Crevasse
     void
     observe(const Sample &sample) override
     {
-      if (sample.step == 0)
-        {
-          times.clear();
-          values.clear();
-          has_row.clear();
-        }
-      add(sample, times.size(), true);
-    }
-
-    void
-    before_jump(const Sample &sample) override
-    {
-      add(sample, times.size(), false);
-    }
-
-    void
-    between(const Sample &sample) override
-    {
-      add(sample,
-          std::lower_bound(times.begin(), times.end(), sample.time) -
-            times.begin(),
-          false);
+      PeriodObserver::observe(sample);
+      has_row.back() = 1;
     }
 
     void
     serialize(StateArchive &archive) override
     {
       archive.section("crack front");
+      PeriodObserver::serialize(archive);
       archive.common(times);
       archive.common_list(values);
       archive.common(has_row);
@@ -129,11 +111,18 @@ namespace Crevasse
       std::size_t vertex;
     };
 
-    /** Adds the values of a sample as those of the k-th time. */
     void
-    add(const Sample &sample, const std::size_t k, const bool is_row)
+    clear() override
     {
-      has_row.insert(has_row.begin() + k, is_row);
+      times.clear();
+      values.clear();
+      has_row.clear();
+    }
+
+    void
+    insert(const Sample &sample, const std::size_t k) override
+    {
+      has_row.insert(has_row.begin() + k, 0);
       times.insert(times.begin() + k, sample.time);
       const auto now =
         analysis.evaluate(steps.within_period(sample.instant), sample);

@@ -7,13 +7,14 @@
 #include <crevasse/base/csv_table.h>
 #include <crevasse/base/series_extremes.h>
 #include <crevasse/postprocess/probe.h>
+#include <crevasse/time/period_observer.h>
 
 namespace Crevasse
 {
   /** Writes the tables of all probes. Ranks sum all probes in one message: one
    * message for each probe would take longer than the step. */
   template <int dim>
-  class ProbeTables : public Observer
+  class ProbeTables : public PeriodObserver
   {
   public:
     /** @param probes must outlive the ProbeTables.
@@ -30,35 +31,16 @@ namespace Crevasse
     void
     observe(const Sample &sample) override
     {
-      if (sample.step == 0)
-        {
-          instants.clear();
-          rows.clear();
-        }
-      add(sample, instants.size());
+      PeriodObserver::observe(sample);
       for (unsigned int k = 0; k < tables.size(); ++k)
         tables[k].add_row(rows.back()[k]);
-    }
-
-    void
-    before_jump(const Sample &sample) override
-    {
-      add(sample, instants.size());
-    }
-
-    void
-    between(const Sample &sample) override
-    {
-      add(sample,
-          std::lower_bound(instants.begin(), instants.end(), sample.instant) -
-            instants.begin());
     }
 
     void
     serialize(StateArchive &archive) override
     {
       archive.section("probes");
-      archive.common(instants);
+      PeriodObserver::serialize(archive);
       rows.resize(instants.size());
       for (auto &row : rows)
         {
@@ -93,9 +75,14 @@ namespace Crevasse
     }
 
   private:
-    /** Inserts the rows of a sample as those of the i-th instant. */
     void
-    add(const Sample &sample, const std::size_t i)
+    clear() override
+    {
+      rows.clear();
+    }
+
+    void
+    insert(const Sample &sample, const std::size_t i) override
     {
       std::vector<typename ProbeEvaluator<dim>::Values> values;
       for (const ProbeEvaluator<dim> &probe : probes)
@@ -108,7 +95,6 @@ namespace Crevasse
       std::vector<std::vector<double>> row;
       for (unsigned int k = 0; k < tables.size(); ++k)
         row.push_back(probes[k].row(sample.time, values[k]));
-      instants.insert(instants.begin() + i, sample.instant);
       rows.insert(rows.begin() + i, row);
     }
 
@@ -116,9 +102,7 @@ namespace Crevasse
     std::vector<CsvTable>                   tables;
     const MPI_Comm                          communicator;
 
-    // The last period: instants, and at each the rows of all probes.
-    std::vector<double>                           instants;
-    std::vector<std::vector<std::vector<double>>> rows;
+    std::vector<std::vector<std::vector<double>>> rows; ///< by instant, probe
   };
 } // namespace Crevasse
 

@@ -11,6 +11,7 @@
 #include <crevasse/postprocess/crack_tip_analysis.h>
 #include <crevasse/postprocess/lip_closure.h>
 #include <crevasse/postprocess/mission_table.h>
+#include <crevasse/time/period_observer.h>
 
 namespace Crevasse
 {
@@ -53,7 +54,7 @@ namespace Crevasse
    * the tip; that of K_I up to four times this if integral and fit differ by
    * more. They are not bounds.
    */
-  class TipTable : public Observer
+  class TipTable : public PeriodObserver
   {
   public:
     /** References must outlive the TipTable. Collective.
@@ -71,15 +72,6 @@ namespace Crevasse
     void
     observe(const Sample &sample) override;
 
-    /** Stores the values before a jump, without a row in the table. */
-    void
-    before_jump(const Sample &sample) override
-    {
-      instants.push_back(sample.instant);
-      of_last_period.push_back(evaluate(sample));
-    }
-
-    /** Stores the values at an instant at which a lip changes. */
     void
     between(const Sample &sample) override;
 
@@ -92,7 +84,7 @@ namespace Crevasse
     serialize(StateArchive &archive) override
     {
       archive.section("crack tip");
-      archive.common(instants);
+      PeriodObserver::serialize(archive);
       archive.common_list(of_last_period);
     }
 
@@ -125,6 +117,18 @@ namespace Crevasse
 
   private:
     using Number = std::function<double(const TipValues &)>;
+
+    void
+    clear() override
+    {
+      of_last_period.clear();
+    }
+
+    void
+    insert(const Sample &sample, const std::size_t k) override
+    {
+      of_last_period.insert(of_last_period.begin() + k, evaluate(sample));
+    }
 
     TipValues
     evaluate(const Sample &sample) const;
@@ -168,13 +172,6 @@ namespace Crevasse
      * intensity is equivalent. */
     void
     warn_of_turning(Summary &summary) const;
-
-    void
-    warn(const std::string &warning, Summary &summary) const
-    {
-      summary["warnings"].push_back(warning);
-      context.log.line("  warning: " + warning);
-    }
 
     /** Range of one intensity that is equivalent to this range of K_I and the
      * range of K_II. */
@@ -235,7 +232,6 @@ namespace Crevasse
     const std::string       title;          ///< beginning of lines in the log
     const double            relative_error; ///< error of elastic energy
     CsvTable                table;
-    std::vector<double>     instants; ///< instants of last period
     std::vector<TipValues>  of_last_period;
   };
 } // namespace Crevasse

@@ -8,6 +8,7 @@
 #include <crevasse/discretisation/rigid_modes.h>
 #include <crevasse/grid/singular_place.h>
 #include <crevasse/simulation/run.h>
+#include <crevasse/time/period_observer.h>
 
 namespace Crevasse
 {
@@ -15,7 +16,7 @@ namespace Crevasse
    * a run, or of its last period, the largest contact force and pressure of its
    * last period, and the rounding of the stress. */
   template <int dim>
-  class Extremes : public Observer
+  class Extremes : public PeriodObserver
   {
   public:
     /** Updates the largest values in the state of the run, also after other
@@ -30,19 +31,13 @@ namespace Crevasse
     void
     observe(const Sample &sample) override
     {
-      if (sample.step == 0)
-        {
-          if (run.choice.periods_are_iterates())
-            state.largest_displacement = state.largest_opening =
-              viscous_strain           = 0.;
-          instants.clear();
-          for (auto *const series : all())
-            series->clear();
-        }
+      if (run.choice.periods_are_iterates() && sample.step == 0)
+        state.largest_displacement = state.largest_opening = viscous_strain =
+          0.;
       if (sample.viscous_strain.size() > 0)
         viscous_strain =
           std::max(viscous_strain, largest_strain(sample.viscous_strain));
-      add(sample, instants.size());
+      PeriodObserver::observe(sample);
       state.largest_displacement =
         std::max(state.largest_displacement, displacement.back());
       state.largest_opening = std::max(state.largest_opening, opening.back());
@@ -52,14 +47,6 @@ namespace Crevasse
     before_jump(const Sample &sample) override
     {
       observe(sample);
-    }
-
-    void
-    between(const Sample &sample) override
-    {
-      add(sample,
-          std::lower_bound(instants.begin(), instants.end(), sample.instant) -
-            instants.begin());
     }
 
     void
@@ -75,7 +62,7 @@ namespace Crevasse
     serialize(StateArchive &archive) override
     {
       archive.common(viscous_strain);
-      archive.common(instants);
+      PeriodObserver::serialize(archive);
       for (auto *const series : all())
         archive.common(*series);
     }
@@ -134,9 +121,15 @@ namespace Crevasse
     LipTotals lip; ///< state at the last sample
 
   private:
-    /** Inserts the values of a sample as those of the k-th instant. */
     void
-    add(const Sample &sample, const std::size_t k)
+    clear() override
+    {
+      for (auto *const series : all())
+        series->clear();
+    }
+
+    void
+    insert(const Sample &sample, const std::size_t k) override
     {
       const State &now = sample.state;
       if (body.effects.contact.on)
@@ -144,15 +137,14 @@ namespace Crevasse
       const double moved =
         body.nodal_displacement(now.displacement, now.instant, 0.)
           .linfty_norm();
-      const auto insert = [k](std::vector<double> &series, const double value) {
+      const auto add = [k](std::vector<double> &series, const double value) {
         series.insert(series.begin() + k, value);
       };
-      insert(instants, sample.instant);
-      insert(stress, now.stress.linfty_norm());
-      insert(displacement, moved);
-      insert(opening, lip.largest_opening);
-      insert(force, lip.force);
-      insert(pressure, lip.largest_pressure);
+      add(stress, now.stress.linfty_norm());
+      add(displacement, moved);
+      add(opening, lip.largest_opening);
+      add(force, lip.force);
+      add(pressure, lip.largest_pressure);
     }
 
     double
@@ -192,9 +184,8 @@ namespace Crevasse
     RunState        &state;
     double           viscous_strain = 0.; ///< its largest component
 
-    /** Instants of the last period, and the largest values at these. */
-    std::vector<double> instants, stress, displacement, opening, force,
-      pressure;
+    /** Largest values at the instants of the last period. */
+    std::vector<double> stress, displacement, opening, force, pressure;
   };
 } // namespace Crevasse
 
