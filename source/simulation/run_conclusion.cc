@@ -6,6 +6,7 @@
 #include <crevasse/base/text.h>
 #include <crevasse/base/text_file.h>
 #include <crevasse/base/version.h>
+#include <crevasse/parameters/automatic.h>
 #include <crevasse/parameters/units.h>
 #include <crevasse/simulation/run.h>
 #include <crevasse/simulation/setup_report.h>
@@ -116,6 +117,8 @@ namespace Crevasse
                             {"temperature", units.temperature.name},
                             {"K_in_MPa_sqrt_m", units.intensity_in_MPa()}};
       summary.update(sizes_of(run.body));
+      if (run.scene.geometry.shape != Shape::mesh_file)
+        summary["subdivisions"] = subdivisions(run.scene.geometry, dim);
       for (const Effects::Effect &effect : run.active_effects())
         summary["effects"][effect.name] = {{"on", effect.on},
                                            {"why", effect.why}};

@@ -137,7 +137,7 @@ class Choice:
         None if that is impossible. The crack tip stays a vertex."""
         if self.scene["Geometry/Shape"] == "mesh file":
             return None
-        n = self.subdivisions()
+        n = self.summary["subdivisions"]
         fraction = None
         if "crack" in self.scene["Geometry/Shape"]:
             fraction = (float(self.scene["Geometry/Crack length"])
@@ -148,21 +148,6 @@ class Choice:
         if ratio < SMALLEST_RATIO * times / 2. or (fraction and first < 2):
             return None
         return ", ".join(map(str, coarse)), ratio
-
-    def subdivisions(self):
-        """As in parameters/automatic.cc."""
-        text = self.scene["Geometry/Subdivisions"]
-        if text != "automatic":
-            return list(map(int, text.split(",")))
-        extents = [float(self.scene[f"Geometry/{name}"])
-                   for name in ("Width", "Height", "Thickness")][:self.dim]
-        length = min(extents)
-        if "crack" in self.scene["Geometry/Shape"]:
-            crack = float(self.scene["Geometry/Crack length"])
-            length = min(crack, extents[0] - crack, extents[1])
-        part, most = ((7., 64.), (4., 24.))[self.dim - 2]
-        size = max(length / part, max(extents) / most)
-        return [max(1, round(extent / size)) for extent in extents]
 
     def steps(self):
         """Companions with other steps, the cheapest first: explicit schemes refuse steps

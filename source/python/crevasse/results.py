@@ -50,7 +50,7 @@ SHAPES = {
     "contact_solver": {}, "linear_solver": {}, "time_integration": {},
     "libraries": {}, "elastic_comparison": {},
     "refinement": {"meshes": [{}], "readaptations": [{}]},
-    "warnings": [A_TEXT], "cells_of_ranks": [A_NUMBER],
+    "warnings": [A_TEXT], "cells_of_ranks": [A_NUMBER], "subdivisions": [A_NUMBER],
     "bars": {EACH: {EACH: A_NUMBER, "why": A_TEXT}},
     "stress_change": [A_NUMBER], "stress_error_estimate": [A_NUMBER],
     "periods": A_NUMBER, "converged": YES_OR_NO, "contact_nodes": A_NUMBER}
