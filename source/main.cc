@@ -76,8 +76,7 @@ main(int argc, char **argv)
       std::signal(signal, SIG_IGN);
     status = run_command(command, with_bars);
   }
-  const char *rank = std::getenv("OMPI_COMM_WORLD_RANK");
-  if (with_bars.empty() || (rank != nullptr && std::string(rank) != "0"))
+  if (with_bars.empty() || !is_first_process())
     return status;
   std::optional<double> seconds;
   if (command.wall_time > 0.)

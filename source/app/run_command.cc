@@ -6,6 +6,7 @@
 #include <crevasse/app/run_command.h>
 #include <crevasse/base/collectively.h>
 #include <crevasse/base/expression.h>
+#include <crevasse/base/single_process.h>
 #include <crevasse/base/stop_request.h>
 #include <crevasse/base/text_file.h>
 #include <crevasse/base/version.h>
@@ -287,8 +288,7 @@ namespace Crevasse
   int
   show_parameters(const Command &command)
   {
-    const char *rank = std::getenv("OMPI_COMM_WORLD_RANK");
-    if (rank != nullptr && std::string(rank) != "0")
+    if (!is_first_process())
       return done;
     try
       {

@@ -5,9 +5,21 @@
 #define crevasse_base_single_process_h
 
 #include <cstdlib>
+#include <string>
 
 namespace Crevasse
 {
+  /** Whether this is the only process, or mpirun's first; before and after MPI,
+   * too. */
+  inline bool
+  is_first_process()
+  {
+    const char *rank = std::getenv("OMPI_COMM_WORLD_RANK");
+    return rank == nullptr || std::string(rank) == "0";
+  }
+
+
+
   /** Prepares Open MPI for a single process; call it before MPI is initialised.
    * If neither mpirun nor srun started this process, environment variables
    * tell Open MPI to start no daemon, to look for no networks, and to make no
