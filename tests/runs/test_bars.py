@@ -75,7 +75,9 @@ def test_square():
             error = abs(entry["value"] - exact)
             print(settings, name, entry, error)
             check(error <= entry["bar"], f"{name} = {entry['value']} ± {entry['bar']}")
-            check(entry["bar"] <= 10. * error or error < 1e-6 * exact,
+            # Here the error is small by chance: a fortieth of that with 1.75 times the cells.
+            most = 10. if (name, settings) == ("opening", elastic(2, 2, "14, 4")) else 5.
+            check(entry["bar"] <= most * error or error < 1e-6 * exact,
                   f"{name}: {entry['bar']} for an error of {error}")
         stress = found["largest_stress"]
         check(stress["bar"] is None and "no limit" in stress["why"], f"{stress}")
