@@ -11,11 +11,10 @@
 #include <deal.II/base/utilities.h>
 
 #include <algorithm>
-#include <boost/algorithm/string/case_conv.hpp>
-#include <boost/algorithm/string/trim.hpp>
 #include <cmath>
 #include <filesystem>
 #include <regex>
+#include <set>
 
 namespace Crevasse
 {

@@ -39,18 +39,12 @@ end
 # A crack in a body that creeps, in a period of which all is found at once.
 CREEPING = ONE_CRACK.replace("set Viscosity = none", "")
 # The first scene of doc/scenes.md under a mean load that closes its crack for a while.
-CLOSES = """
+CLOSES = PLATE + """
 subsection Geometry
   set Shape        = edge crack
   set Crack length = 0.5
 end
-subsection Material
-  set Young modulus   = 13000
-  set Poisson ratio   = 0.2
-  set Relaxation time = 60
-end
 subsection Loads
-  set Period   = 600
   set Traction = 0; 10*sin(2*pi*t/600) - 2
 end
 """

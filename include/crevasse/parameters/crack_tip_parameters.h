@@ -57,8 +57,8 @@ namespace Crevasse
     Formula creep_factor       = constant("Creep factor", "0");
     Formula creep_exponent = constant("Creep exponent", "1", Ranges::positive);
     /** File with da/dN(ΔK, R), and its content where a law needs it. */
-    std::string                        growth_table;
-    std::shared_ptr<const GrowthTable> table = nullptr;
+    std::string                        growth_table = {};
+    std::shared_ptr<const GrowthTable> table        = nullptr;
     /** Quantity P that drives creep growth, da/dt = D P^φ. */
     CreepParameter creep_parameter = CreepParameter::C_star;
 

@@ -49,7 +49,7 @@ def columns(life, found, chosen):
             "da_dN_creep": found.rates[1, rows],
             "angle": of_nodes([node.angle for node in nodes]),
             "N_error": found.errors[rows],
-            **({"path_error": found.path_error[rows]} if life.piecewise else {})}
+            **({"path_error": found.path_error[rows]} if life.is_path else {})}
 
 
 def write(life, found, chosen):
@@ -75,7 +75,7 @@ def write(life, found, chosen):
                      "K_error": node.error, "transition_time": finite(node.transition)}
                     for node in (life.nodes[0, k] for k in sorted(chosen))],
         "warnings": [*life.warnings.values()]}
-    if life.piecewise:
+    if life.is_path:
         description |= {"path_error": finite(found.path_error[-1]),
                         "body": life.body.outlines()}
     write_file(life.directory / "life.json",

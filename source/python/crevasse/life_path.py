@@ -43,7 +43,7 @@ def direction(heading, before, step, step_before):
 
 
 class PathLife(Life):
-    piecewise = True
+    is_path = True
 
     def __init__(self, options, program, log):
         if options.trust_mesh:  # before the scene is read, which needs the mesh

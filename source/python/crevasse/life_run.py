@@ -36,7 +36,7 @@ def without_law(scene, usual):
 
 
 class Life:
-    piecewise = False  # whether drivers are interpolated piecewise
+    is_path = False  # a path's drivers are interpolated piecewise
 
     def __init__(self, options, program, log):
         self.options, self.program, self.log = options, program, log
@@ -163,7 +163,7 @@ class Life:
     def growth(self, chosen, with_error=False):
         return Growth(self.readers, self.shares, [
             [self.nodes[member, k] for k in sorted(chosen)]
-            for member in range(len(self.files))], with_error, self.piecewise)
+            for member in range(len(self.files))], with_error, self.is_path)
 
     def estimate(self, chosen):
         """N up to the end of the growth, and its errors, with the chosen lengths."""
