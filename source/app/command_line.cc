@@ -3,8 +3,8 @@
 
 #include <crevasse/app/command_line.h>
 #include <crevasse/app/script_command.h>
+#include <crevasse/base/environment.h>
 #include <crevasse/base/text.h>
-#include <crevasse/base/version.h>
 
 #include <CLI/CLI.hpp>
 #include <filesystem>
@@ -260,12 +260,13 @@ doc/getting_started.md tells more.
   Command
   parse_command_line(const std::vector<std::string> &words)
   {
-    Command  command;
+    Command command;
+    command.words = words;
     CLI::App app(
       "Crevasse: periodic states of cracked viscoelastic solids "
       "with one-sided contact on the crack lips.",
       words.front());
-    app.set_version_flag("--version", "crevasse " CREVASSE_VERSION);
+    app.set_version_flag("--version", version_text);
     app.footer(examples_and_statuses);
     app.failure_message(failure_message);
     add_options(app, command);

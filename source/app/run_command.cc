@@ -245,6 +245,7 @@ namespace Crevasse
       scene.check(problems);
       problems.throw_if_any();
       scene.output.stress_record = command.stress_record;
+      scene.output.command_line  = command.words;
       if (command.stress_record && scene.refinement.readapt_every > 0)
         throw SceneError(
           "[Refinement] Readapt every = " +

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Crevasse authors
 
+#include <crevasse/base/environment.h>
 #include <crevasse/base/machine_memory.h>
 #include <crevasse/base/problems.h>
 #include <crevasse/base/text.h>
@@ -11,40 +12,12 @@
 #include <crevasse/simulation/run.h>
 #include <crevasse/simulation/setup_report.h>
 
-#include <SuiteSparse_config.h>
-
 namespace Crevasse
 {
   using namespace dealii;
 
   namespace
   {
-    /** Names and versions of the numerical libraries. */
-    std::map<std::string, std::string>
-    library_versions()
-    {
-      const auto dotted =
-        [](const int major, const int minor, const int patch) {
-          return std::to_string(major) + '.' + std::to_string(minor) + '.' +
-                 std::to_string(patch);
-        };
-      return {{"deal.II", DEAL_II_PACKAGE_VERSION},
-              {"Trilinos",
-               dotted(DEAL_II_TRILINOS_VERSION_MAJOR,
-                      DEAL_II_TRILINOS_VERSION_MINOR,
-                      DEAL_II_TRILINOS_VERSION_SUBMINOR)},
-              {"p4est",
-               dotted(DEAL_II_P4EST_VERSION_MAJOR,
-                      DEAL_II_P4EST_VERSION_MINOR,
-                      DEAL_II_P4EST_VERSION_SUBMINOR)},
-              {"SuiteSparse",
-               dotted(SUITESPARSE_MAIN_VERSION,
-                      SUITESPARSE_SUB_VERSION,
-                      SUITESPARSE_SUBSUB_VERSION)}};
-    }
-
-
-
     /** Summarises the counts of integrator and step control. */
     template <int dim>
     void
@@ -106,10 +79,11 @@ namespace Crevasse
     void
     summarise_run(const Run<dim> &run, Summary &summary)
     {
-      summary["version"]   = CREVASSE_VERSION;
-      summary["git"]       = CREVASSE_GIT_REVISION;
-      summary["libraries"] = library_versions();
-      summary["dimension"] = dim;
+      summary["version"]     = CREVASSE_VERSION;
+      summary["git"]         = CREVASSE_GIT_REVISION;
+      summary["libraries"]   = library_versions();
+      summary["environment"] = environment(run.scene.output.command_line);
+      summary["dimension"]   = dim;
       if (const Units units(run.scene.units); units.are_known())
         summary["units"] = {{"length", units.length.name},
                             {"stress", units.stress.name},
@@ -169,7 +143,7 @@ namespace Crevasse
         summary["missions"] = result.missions;
       const double seconds = report_meters(run.log, summary);
       summary["processor_seconds"] =
-        Utilities::MPI::max(state.timer.cpu_time(), communicator);
+        Utilities::MPI::sum(state.timer.cpu_time(), communicator);
       const std::vector<double> peaks = peak_memory_of_ranks(communicator);
       if (!peaks.empty())
         {

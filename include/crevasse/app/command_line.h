@@ -23,6 +23,7 @@ namespace Crevasse
   /** Contents of the command line. */
   struct Command
   {
+    std::vector<std::string> words;
     std::string              scene_file;
     std::vector<std::string> overrides; ///< "Section/Name=value"
     std::string              output_directory;

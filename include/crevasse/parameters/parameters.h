@@ -333,6 +333,8 @@ namespace Crevasse
     bool error_bars = false;
     /** Whether StressWriter runs: sweeps set it, and no scene. */
     bool stress_record = false;
+    /** How the run was started, for the summary. */
+    std::vector<std::string> command_line;
 
     void
     add_parameters(dealii::ParameterHandler &prm);
