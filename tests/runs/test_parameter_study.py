@@ -31,7 +31,8 @@ LENGTH = "Geometry/Crack length"
 STEPS = "Time integration/Steps per period"
 CRACK = pathlib.Path("crack.prm")
 CRACK.write_text(BAR.replace("rectangle", "edge crack").replace("2, 2", "4, 2"))
-TIMES = ("seconds", "seconds_time_stepping", "processor_seconds", "jobs")
+TIMES = ("seconds", "seconds_time_stepping", "processor_seconds", "peak_memory_bytes",
+         "jobs")
 
 
 def test_ranges():

@@ -23,7 +23,8 @@ pathlib.Path(CRACK).write_text(BAR.replace("rectangle", "edge crack")
                                .replace("2, 2", "4, 2"))
 SETTINGS = overrides(RELAXING)
 STEPS = "Time integration/Steps per period"
-SECONDS = ("seconds", "seconds_time_stepping", "processor_seconds", "jobs")
+SECONDS = ("seconds", "seconds_time_stepping", "processor_seconds", "peak_memory_bytes",
+           "jobs")
 
 
 def sweep(name, *arguments, scene=SCENE, **options):
@@ -103,6 +104,24 @@ def test_zipped():
                row["Loads/Traction"]) for row in rows]
     check(len(values) == 4 and {value[:2] for value in values}
           == {("euler", "160"), ("heun", "80")}, f"zipped: {values}")
+
+
+def test_columns_and_repeats():
+    """Tables for a paper have the columns that were named; times are the least ones,
+    and results stay."""
+    columns = f"{STEPS},error:probe_top/u,processor_seconds,nonsense"
+    rows, output = sweep("repeated", *VARY, *REFERENCE, "--repeat", "2",
+                         "--columns", columns)
+    once, _ = sweep("order", *VARY, *REFERENCE)
+    check(without_seconds(rows) == without_seconds(once), "other results")
+    check("no run has nonsense" in output, output)
+    latex = pathlib.Path("results/repeated/sweep.tex").read_text().splitlines()
+    print(*latex, sep="\n")
+    check(latex[2] == r"Steps per period & error of probe\_top/u & CPU (s) \\"
+          and len(latex) == len(rows) + 6, "sweep.tex")
+    check(float(rows[0]["peak_memory_bytes"]) > 1e7, "memory")
+    status, _, error = execute("sweep", SCENE, *VARY, "--repeat", "2", "--jobs", "2")
+    check(status == 2 and "one at a time" in error, error)
 
 
 def test_warnings():
@@ -359,7 +378,7 @@ def test_ranks():
 
 
 for test in (test_order_against_reference, test_order_against_closed_form,
-             test_zipped, test_warnings, test_resumption, test_points_without_results,
+             test_columns_and_repeats, test_zipped, test_warnings, test_resumption, test_points_without_results,
              test_failing_point, test_no_error, test_numbers_are_no_texts,
              test_periodic_methods,
              test_too_few_instants, test_mistakes, test_ranks):

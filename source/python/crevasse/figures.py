@@ -28,7 +28,8 @@ def arguments(words):
     parser.add_argument("--output", type=pathlib.Path, metavar="DIR",
                         help="directory of the figures (RESULTS_DIR/figures)")
     parser.add_argument("--format", nargs="+", default=["png"],
-                        choices=["png", "pdf", "svg"], help="(png)")
+                        choices=["png", "pdf", "svg", "pgf"], help="(png); pgf, "
+                        "for a paper in LaTeX, needs xelatex")
     of_run = parser.add_argument_group("options for a run")
     of_run.add_argument("--probe", help="probe of figures 2 and 3 (C if it exists, "
                         "else the first)")

@@ -5,6 +5,7 @@
 
 import collections
 import io
+import shutil
 
 import matplotlib
 
@@ -15,6 +16,8 @@ from matplotlib.collections import LineCollection
 from matplotlib.ticker import FixedLocator, FuncFormatter, NullLocator
 import numpy
 from PIL import Image
+
+from crevasse.results import ResultsError
 
 # Okabe and Ito's palette, told apart with every kind of colour vision.
 BLUE, VERMILION, GREEN = "#0072B2", "#D55E00", "#009E73"
@@ -170,6 +173,9 @@ def write_png(figure, target):
 
 def save(figure, stem, directory, formats):
     """Writes the figure in all chosen formats."""
+    if "pgf" in formats and not shutil.which("xelatex"):
+        raise ResultsError("--format pgf needs xelatex, which is not installed: Debian's "
+                           "package texlive-xetex has it. For LaTeX pdf serves, too.")
     for extension in formats:
         path = directory / f"{stem}.{extension}"
         if extension == "png":

@@ -32,7 +32,8 @@ COSTS = {"unknowns": ("unknowns",), "periods": ("periods",),
              "vi_solves", "linear_solves", "factorisations", "rate_evaluations")},
          "seconds": ("seconds", "total"),
          "seconds_time_stepping": ("seconds", "time stepping"),
-         "processor_seconds": ("processor_seconds",)}
+         "processor_seconds": ("processor_seconds",),
+         "peak_memory_bytes": ("peak_memory_bytes",)}
 
 
 class Call:

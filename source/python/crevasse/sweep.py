@@ -57,6 +57,11 @@ def arguments(words):
                         "run at the same time, each on one core (the number of cores; "
                         "1 if errors are measured beside costs, because such points "
                         "slow each other down; 1 with mpirun)")
+    parser.add_argument("--repeat", type=count, default=1, metavar="N", help="compute "
+                        "each point N times, one at a time, and keep its least times")
+    parser.add_argument("--columns", default="", metavar="LIST", help="columns of "
+                        "sweep.md and sweep.tex, separated by commas, such as "
+                        "K_I_largest,order,seconds (all); sweep.csv has every column")
     return parser.parse(words)
 
 

@@ -2,12 +2,14 @@
 # Copyright (C) 2026 by the Crevasse authors
 
 """The results of a sweep as sweep.csv, sweep.md and sweep.json, all three written as a
-whole after each point."""
+whole after each point, and sweep.tex, written at its end."""
 
 import csv
+import dataclasses
 import io
 import json
 import math
+import typing
 
 from crevasse import findings
 from crevasse.command import write_file
@@ -17,14 +19,27 @@ from crevasse.results import shortest
 FOR_PEOPLE = {"vi_solves": "VIs", "linear_solves": "linear solves",
               "factorisations": "factorisations",
               "rate_evaluations": "rate evaluations", "seconds": "seconds",
-              "seconds_time_stepping": "stepping (s)", "processor_seconds": "CPU (s)"}
+              "seconds_time_stepping": "stepping (s)", "processor_seconds": "CPU (s)",
+              "peak_memory_bytes": "memory (MB)"}
 MOST_NUMBERS = 3  # in a line
 
 
+@dataclasses.dataclass
+class Column:
+    name: str  # in sweep.csv
+    title: str
+    text: typing.Callable  # of the number of a point
+    is_number: bool = True
+
+    def is_called(self, name):
+        return name in (self.name, self.name.split("/")[-1], self.title)
+
+
 class Output:
-    def __init__(self, plan, quantities, title, reference):
+    def __init__(self, plan, quantities, title, reference, columns=""):
         self.plan, self.quantities = plan, list(quantities)
         self.title, self.reference = title, reference
+        self.wanted = [name.strip() for name in columns.split(",") if name.strip()]
         self.reference_result = None
         self.results = {}  # by the numbers of the points
 
@@ -126,26 +141,56 @@ class Output:
             costs = (f" ({costs_in_words(self.reference_result)})"
                      if self.reference_result else "")
             text += f"{self.reference}{costs}.\n\n"
-        has_orders = self.plan.main_axis is not None
-        names = self.findings()
-        header = [*map(self.short_name, self.plan.parameters), *names]
-        for quantity in self.quantities:
-            header += [f"error of {quantity}", *["order"] * has_orders]
-        header += FOR_PEOPLE.values()
-        text += row([*header, "status"])
-        text += row(["---:"] * len(header) + ["---"])
-        for p, point, result in self.points():
-            cells = [*point.values, *(formatted(result.findings.get(name), "%.5g")
-                                      for name in names)]
-            for quantity in self.quantities:
-                cells.append(formatted(self.error(p, quantity), "%.1e"))
-                if has_orders:
-                    cells.append(formatted(self.order(p, quantity), "%.2f"))
-            text += row([*cells, *(cost(result, name) for name in FOR_PEOPLE),
-                         result.status])
+        shown = self.shown()
+        text += row([column.title for column in shown])
+        text += row(["---:" if column.is_number else "---" for column in shown])
+        for p, *_ in self.points():
+            text += row([column.text(p) for column in shown])
         warnings = "".join(f"- {warning}\n" for warning in self.warnings())
         return (text + "".join(self.notes())
                 + (f"\nWarnings:\n\n{warnings}" if warnings else ""))
+
+    def latex(self):
+        """A table for a paper, with the rules of the package booktabs."""
+        import pandas  # slow
+        shown = self.shown()
+        frame = pandas.DataFrame([[column.text(p) for column in shown]
+                                  for p, *_ in self.points()],
+                                 columns=[column.title for column in shown])
+        return (frame.style.hide(axis="index").format(escape="latex")
+                .format_index(escape="latex", axis="columns").to_latex(
+                    hrules=True, column_format="".join(
+                        "r" if column.is_number else "l" for column in shown)))
+
+    def columns(self):
+        """The columns of the tables for people."""
+        for k, name in enumerate(self.plan.parameters):
+            yield Column(name, self.short_name(name),
+                         lambda p, k=k: self.plan.points[p].values[k])
+        for name in self.findings():
+            yield Column(name, name, lambda p, name=name: formatted(
+                self.results[p].findings.get(name), "%.5g"))
+        for name in self.quantities:
+            yield Column("error:" + name, f"error of {name}",
+                         lambda p, name=name: formatted(self.error(p, name), "%.1e"))
+            if self.plan.main_axis is not None:
+                yield Column("order:" + name, "order",
+                             lambda p, name=name: formatted(self.order(p, name), "%.2f"))
+        for name, title in FOR_PEOPLE.items():
+            yield Column(name, title, lambda p, name=name: cost(self.results[p], name))
+        yield Column("status", "status", lambda p: self.results[p].status, False)
+
+    def shown(self):
+        """Those of the columns that --columns names, in its order, or else all."""
+        columns = list(self.columns())
+        return [column for wanted in self.wanted for column in columns
+                if column.is_called(wanted)] or columns
+
+    def unknown_columns(self):
+        """What --columns names, but no run has."""
+        columns = list(self.columns())
+        return [wanted for wanted in self.wanted
+                if not any(column.is_called(wanted) for column in columns)]
 
     def notes(self):
         if any(result.costs.get("jobs", 1) > 1 for result in self.results.values()):
@@ -204,6 +249,8 @@ def row(cells):
 
 def cost(result, name):
     value = result.costs.get(name)
+    if name == "peak_memory_bytes":
+        return formatted(value and 1e-6 * value, "%.0f")
     if isinstance(value, float):
         return ("%.2g" if value < 10 else "%.1f") % value
     return "" if value is None else json.dumps(value)

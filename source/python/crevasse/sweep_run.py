@@ -10,7 +10,7 @@ import pathlib
 import re
 
 from crevasse import findings
-from crevasse.command import CommandError
+from crevasse.command import CommandError, write_file
 from crevasse.quantities import LAST_PERIODS, is_periodic
 from crevasse.results import ResultsError, normal_form, parse_parameters
 from crevasse.sweep_errors import (STRESS, STRESS_FILE, StressReader,
@@ -50,7 +50,11 @@ def choose_jobs(options, program, measures_errors):
         raise CommandError(f"--jobs {options.jobs}: with mpirun each point is computed on "
                            f"all {program.ranks} processes, one point at a time. Leave "
                            "out --jobs, or mpirun.", 2)
-    one = program.ranks > 1 or measures_errors
+    if options.repeat > 1 and options.jobs not in (None, 1):
+        raise CommandError(f"--jobs {options.jobs}: runs that are repeated for their "
+                           "times are computed one at a time. Leave out --jobs, or "
+                           "--repeat.", 2)
+    one = program.ranks > 1 or measures_errors or options.repeat > 1
     return options.jobs or (1 if one else len(os.sched_getaffinity(0)))
 
 
@@ -73,7 +77,8 @@ class Sweep:
             (self.scenes[0]["Output directory"] or f"results/{options.scene.stem}")
             + "_sweep")
         self.output = Output(self.plan, self.quantities,
-                             f"Sweep of {options.scene.name}", self.reference_in_words())
+                             f"Sweep of {options.scene.name}", self.reference_in_words(),
+                             options.columns)
         self.stress = None  # of the reference
         self.running = {}  # {call: (number of the scene, folder)}
         self.lines = [[] for _ in self.plan.points]  # of the log, not yet written
@@ -120,7 +125,11 @@ class Sweep:
             self.write_lines(to_the_end=True)
             for warning in self.output.warnings():
                 self.log("  warning: " + warning)
-        self.log(f"  table in {self.directory}/sweep.md, sweep.csv, sweep.json")
+            for name in self.output.unknown_columns():
+                self.log(f"  warning: --columns: no run has {name}; sweep.csv shows "
+                         "what they have")
+        write_file(self.directory / "sweep.tex", self.output.latex())
+        self.log(f"  table in {self.directory}/sweep.md, sweep.tex, sweep.csv, sweep.json")
         if not any(result.has_results for result in self.output.results.values()):
             raise CommandError(f"None of the points has results: {self.directory}"
                                "/sweep.md tells why.", 3)
@@ -193,6 +202,13 @@ class Sweep:
 
     def compute_one(self):
         k, folder, result = self.finish_one()
+        for _ in range(self.options.repeat - 1):
+            times = {name: value for name, value in result.costs.items()
+                     if "seconds" in name}
+            self.begin(folder, k)
+            _, _, result = self.finish_one()
+            result.costs |= {name: min(value, result.costs.get(name, value))
+                             for name, value in times.items()}
         self.measure(folder, k - 1, result)
         folder.finish(result)
         self.keep(folder, k - 1, result)

@@ -13,7 +13,8 @@ COSTS = {"vi_solves": "contact problems",
          "linear_solves": "linear solves",
          "seconds": "wall time (s)",
          "processor_seconds": "CPU time (s)",
-         "seconds_time_stepping": "wall time of the time stepping (s)"}
+         "seconds_time_stepping": "wall time of the time stepping (s)",
+         "peak_memory_bytes": "memory of a process (bytes)"}
 
 
 def label(name):
