@@ -10,10 +10,11 @@
 namespace Crevasse
 {
   double
-  Contraction::add(const double change, const bool counts)
+  Contraction::add(const double change,
+                   const bool   counts,
+                   const double accuracy)
   {
-    // Ratios of changes as small as rounding are meaningless.
-    constexpr double rounding = 1e-10;
+    const double rounding = std::max(1e-10, accuracy);
     if (!counts || !std::isfinite(change))
       {
         last_change.reset();

@@ -319,6 +319,15 @@ namespace Crevasse
 
 
   template <int dim>
+  double
+  ObservedPeriods<dim>::rounding() const
+  {
+    return 10. * evolution.statistics().certificate.residual;
+  }
+
+
+
+  template <int dim>
   void
   ObservedPeriods<dim>::report(const double       error_estimate,
                                const unsigned int mission)

@@ -127,6 +127,18 @@ def test_negative_weights():
               f"mean load 0{load}, {kind}, order {order}: warned {is_warned}")
 
 
+def test_rounding_that_repeats():
+    """A body under a constant load that flows far in each period: each adds the same
+    rounding of 1e-9 to the stress, which is that of the elastic body."""
+    settings = [traction("0; 1"), "Material/Relaxation time=1",
+                "Discretisation/Degree=2", "Geometry/Subdivisions=28, 8"]
+    found = compute("rounding", settings + steps(80) + method(
+        "march", "sdirk2", TOLERANCE, periods=20))
+    error = found.summary["stress_change"][-1]
+    check(found.summary["converged"] and 1e-10 < error, f"change {error}")
+    check_below(error_estimate(found), 1e-8, "estimated error")
+
+
 if __name__ == "__main__":
     test_varying_viscosity()
     test_viscosity_of_an_instant()
@@ -134,3 +146,4 @@ if __name__ == "__main__":
     test_forces_of_rounding()
     test_step_astray()
     test_negative_weights()
+    test_rounding_that_repeats()

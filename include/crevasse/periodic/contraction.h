@@ -39,10 +39,14 @@ namespace Crevasse
     /** Adds the next change, relative to the size of the sequence's terms.
      *
      * @param counts false for the first term itself, which enters no ratio.
+     * @param accuracy what rounding may leave of the terms: changes below it
+     * need not shrink, and ratios of them are meaningless.
      * @return the distance to the limit; nan if there is no ratio yet or the
      * changes do not shrink. */
     double
-    add(const double change, const bool counts = true);
+    add(const double change,
+        const bool   counts   = true,
+        const double accuracy = 0.);
 
     /** Contraction λ, the largest of the last ratios; nan without a ratio. */
     double

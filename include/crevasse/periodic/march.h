@@ -42,11 +42,12 @@ namespace Crevasse
       {
         const double change = periods.compute(r);
         // std::max() returns its first argument if that is nan.
-        periods.report(periods.has_memory()
-                         ? std::max({contraction.add(change, !is_first),
-                                     (slowness - 1.) * change,
-                                     periods.return_defect()})
-                         : 0.);
+        periods.report(
+          periods.has_memory()
+            ? std::max({contraction.add(change, !is_first, periods.rounding()),
+                        (slowness - 1.) * change,
+                        periods.return_defect()})
+            : 0.);
       }
   }
 } // namespace Crevasse

@@ -120,6 +120,12 @@ namespace Crevasse
     double
     compute(Vector &r, const bool shows_end = false);
 
+    /** What rounding in the solves leaves of the stress, relative to its
+     * maximum: ten times their largest residual. As strain accumulates, the
+     * forces that balance it grow beyond the loads, and so do residuals. */
+    double
+    rounding() const;
+
     /** ReturnDefect over the last period, relative to its largest stress; 0 if
      * the strain is not known to return. */
     double
