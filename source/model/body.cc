@@ -11,6 +11,7 @@
 #include <crevasse/model/refinement.h>
 #include <crevasse/parameters/automatic.h>
 #include <crevasse/parameters/built_in_boundary.h>
+#include <crevasse/parameters/physical_names.h>
 
 #include <deal.II/fe/mapping_q1.h>
 
@@ -152,13 +153,18 @@ namespace Crevasse
   std::string
   describe_boundaries(const Scene &scene)
   {
-    const BoundaryRoles      roles = boundary_roles(scene);
+    const BoundaryRoles                 roles = boundary_roles(scene);
+    std::map<unsigned int, std::string> names;
+    if (scene.geometry.shape == Shape::mesh_file)
+      names = boundary_names(scene);
     std::vector<std::string> parts;
     for (const BoundaryRole &role : boundary_role_table)
       {
         std::vector<std::string> numbers;
         for (const auto id : roles.*role.ids)
-          numbers.push_back(std::to_string(id));
+          numbers.push_back(std::to_string(id) + (names.count(id) > 0
+                                                    ? " (" + names.at(id) + ')'
+                                                    : ""));
         if (!numbers.empty())
           parts.push_back(
             boost::algorithm::to_lower_copy(std::string(role.name)) + ' ' +

@@ -208,7 +208,7 @@ def keys_of(value, name=""):
             yield from keys_of(item, name)
     elif isinstance(value, dict):
         for key, item in value.items():
-            if name not in ("per_probe", "libraries"):
+            if name not in ("per_probe", "probes", "libraries"):
                 yield key
             if key != "scene":
                 yield from keys_of(item, key)

@@ -125,7 +125,7 @@ def test_runs():
     pathlib.Path("square.geo").write_text(SQUARE + GROUPS)
     for is_new in (True, False, True):
         status, output, error = execute("--check", scene("square.geo", roles))
-        check(status == 0 and "clamped 1; loaded 2" in output, output + error)
+        check(status == 0 and "clamped 1 (bottom); loaded 2 (top)" in output, output + error)
         check(("by Gmsh" in output) == is_new, output)
         if not is_new:
             pathlib.Path("square.geo").write_text(SQUARE + GROUPS + "MeshSize{:} = 0.5;\n")
@@ -136,7 +136,7 @@ def test_runs():
     pathlib.Path("hostile.geo").write_text('Include "other.geo";\n' + GROUPS)
     path = scene("hostile.geo", roles)
     status, output, error = execute("--check", "--trust-mesh", path)
-    check(status == 0 and "clamped 1; loaded 2" in output, output + error)
+    check(status == 0 and "clamped 1 (bottom); loaded 2 (top)" in output, output + error)
     pathlib.Path("other.geo").write_text(SQUARE + "MeshSize{:} = 0.5;\n")
     status, changed, error = execute("--check", "--trust-mesh", path)
     check(status == 0 and changed != output, "an included file has changed: " + changed)
@@ -150,7 +150,7 @@ def test_brep():
                    capture_output=True)
     status, output, error = execute("--check", scene(
         "shape.brep", "  set Clamped = curve 1\n  set Loaded  = 3"))
-    check(status == 0 and "clamped 1; loaded 3" in output, output + error)
+    check(status == 0 and "clamped 1 (curve 1); loaded 3 (curve 3)" in output, output + error)
 
 
 def test_mistakes():
