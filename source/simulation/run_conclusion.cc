@@ -43,7 +43,8 @@ namespace Crevasse
     void
     describe_certificate(const SolverStatistics &statistics,
                          const Scene            &scene,
-                         Log                    &log)
+                         Log                    &log,
+                         Summary                &summary)
     {
       const double tolerance = scene.contact.tolerance;
       if (statistics.certified == 0)
@@ -62,13 +63,16 @@ namespace Crevasse
                  "undetermined: their displacement is one of many.");
       constexpr double poor = 1e-6;
       if (statistics.accuracy > std::max(poor, tolerance))
-        log.line(
-          "  Beware: the stiffness is badly conditioned. Rounding limits the "
-          "accuracy to " +
-          Text::from_number(statistics.accuracy, 3) +
-          " instead of [Contact] Tolerance = " + Text::from_number(tolerance) +
-          ". Causes are very flat cells, a Poisson ratio close to its limits, "
-          "or moduli that differ by many orders of magnitude.");
+        warn(
+          "the stiffness is badly conditioned. Rounding limits the accuracy "
+          "to " +
+            Text::from_number(statistics.accuracy, 3) +
+            " instead of [Contact] Tolerance = " +
+            Text::from_number(tolerance) +
+            ". Causes are very flat cells, a Poisson ratio close to its "
+            "limits, or moduli that differ by many orders of magnitude",
+          log,
+          summary);
     }
 
 
@@ -124,7 +128,7 @@ namespace Crevasse
       const SolverStatistics statistics   = run.evolution.statistics();
       run.systems.describe(summary);
       statistics.add_certificate(summary);
-      describe_certificate(statistics, run.scene, run.log);
+      describe_certificate(statistics, run.scene, run.log, summary);
       // Tips without K follow tips with tables, which are numbered.
       for (const Summary &tip : run.tips_without_intensity)
         summary["crack_tips"].push_back(tip);

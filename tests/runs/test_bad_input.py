@@ -1001,7 +1001,7 @@ def test_unused_parameters():
     status, output, error = execute(scene, "--output", "results/soft", "--set",
                                     "Material/Young modulus=1e-3")
     check(status == 0, error)
-    check(re.search(r"Beware: displacements reach \d+\.\d+ in a body of diagonal 1\.414",
+    check(re.search(r"warning: displacements reach \d+\.\d+ in a body of diagonal 1\.414",
                     output), output)
 
     # used.prm sets everything, but only what differs from the default counts.

@@ -90,13 +90,15 @@ namespace Crevasse
       constexpr double small    = 0.1;
       const double     diagonal = RigidParts<dim>(body.space.mesh()).size();
       if (state.largest_displacement > small * diagonal)
-        run.log.line(
+        warn(
           Text::Message()
-          << "  Beware: displacements reach " << state.largest_displacement
-          << " in a body of diagonal " << diagonal
-          << ": the theory is for small strains. Check that loads, lengths "
-             "and moduli use one system of units, and that the body may "
-             "creep this long.");
+            << "displacements reach " << state.largest_displacement
+            << " in a body of diagonal " << diagonal
+            << ": the theory is for small strains. Check that loads, lengths "
+               "and moduli use one system of units, and that the body may "
+               "creep this long",
+          run.log,
+          summary);
       if (body.effects.contact.on)
         {
           extremes["opening"]       = state.largest_opening;
