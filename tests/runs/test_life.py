@@ -146,6 +146,82 @@ def test_values_and_blocks():
     check_close(two["t"] / one["t"], 1, 1e-12, "their time")
 
 
+GEOMETRY = """
+DefineConstant[ a = {0.2, Name "Parameters/Crack length"} ];
+Point(1) = {0, 0, 0, 0.1}; Point(2) = {a, 0, 0, 0.05}; Point(3) = {1, 0, 0, 0.1};
+Point(4) = {1, 1.5, 0, 0.1}; Point(5) = {0, 1.5, 0, 0.1};
+Line(1) = {1, 2}; Line(2) = {2, 3}; Line(3) = {3, 4}; Line(4) = {4, 5}; Line(5) = {5, 1};
+Curve Loop(1) = {1:5};
+Plane Surface(1) = {1};
+Physical Curve("lip") = {1};
+Physical Curve("ligament") = {2};
+Physical Curve("top") = {4};
+Physical Surface("strip") = {1};
+"""
+
+
+def test_geometry():
+    """The strip as a geometry that is meshed at each length; the scene's tip cycles are
+    what is refined. The file is not that of its last mesh."""
+    pathlib.Path("strip.geo").write_text(GEOMETRY)
+    pathlib.Path("meshed.prm").write_text(STRIP.read_text() + """
+subsection Geometry
+  set Shape     = mesh file
+  set Mesh file = strip.geo
+end
+subsection Boundary
+  set Symmetry     = ligament
+  set Contact      = lip
+  set Loaded       = top
+  set Fixed points = 1, 0: 1
+end
+subsection Discretisation
+  set Degree = 2
+end
+subsection Refinement
+  set Strategy = tip
+  set Cycles   = 2
+end
+""")
+    words = ["--to", "0.6", "--error"]
+    found, table, output = life("meshed", "--from", "0.1", *words, "3e-3",
+                                scene="meshed.prm")
+    difference = abs(found["N"] - EXACT[3])
+    check_below(difference / EXACT[3], 5e-3, "N of a geometry")
+    check(difference / 2 <= found["N_error"] <= 5 * difference, f"{found['N_error']}")
+    check("halves the cells" in output and found["new_runs"] == found["runs"], output)
+    check_below(abs(table["x"] - table["a"]).max(), 1e-12, "place of the tip")
+    again, _, _ = life("meshed", "--from", "0.1", *words, "3e-3", scene="meshed.prm",
+                       fresh=False)
+    check(again["new_runs"] == 0 and again["N"] == found["N"], f"{again}")
+    for old, new, message in (
+            ("Crack length", "depth", "there are 0 constants with the name"),
+            ("Surface(1) = {1}", "Surface(1) = {a > 0.2 ? 9 : 1}", "Gmsh cannot mesh it"),
+            ("{1, 2};", "{1, 2}; SystemCall \"touch there\";", "SystemCall")):
+        pathlib.Path("strip.geo").write_text(GEOMETRY.replace(old, new))
+        error = life("wrong", *words, "0.1", scene="meshed.prm", status=2)
+        check(message in error, error)
+
+
+def test_missions():
+    """With missions the state at a length is that of its age, as of a run."""
+    words = [*COARSE, "--set", "Material/Viscosity=relaxation time", "--set",
+             "Material/Relaxation time=0.1 + 1000*x^4", "--set",
+             "Loads/Temperature=x*(1 - cos(pi*t))", "--set",
+             "Material/Thermal expansion=1e-3", "--set", "Time integration/Steps per period=8"]
+    K = []
+    for missions in ("1", "1, 40"):
+        ages = [*words, "--set", f"Periodic state/Missions={missions}"]
+        found, _, _ = life("ages", "--from", "0.2", "--to", "0.6", "--error", "0.5", *ages)
+        code, _, error = execute(STRIP, "--output", "results/age", "--force", "--quiet",
+                                 "--set", "Geometry/Crack length=0.4", *ages)
+        check(code == 0, error)
+        tip = json.loads(pathlib.Path("results/age/summary.json").read_text())["crack_tip"]
+        K += [node["K_max"] for node in found["lengths"] if abs(node["a"] - 0.4) < 1e-9]
+        check_close(K[-1] / tip["K_I"]["largest"], 1, 1e-9, "K of a mission")
+    check(abs(K[1] / K[0] - 1) > 0.01, f"the age does not count: {K}")
+
+
 def test_history():
     """Growth by C(t), which has no K, is that of a run with the law."""
     scene = SOURCE / "prm/power_law.prm"
@@ -402,7 +478,10 @@ BROKEN = (
     ("C* is not known: without viscosity nothing flows", [
         "--from", "0.2", "--to", "0.6", *COARSE, "--law", "creep",
         *of_law("Creep factor=1")]),
-    ("is for Dimension = 2", ["--set", "Dimension=3"]))
+    ("is for Dimension = 2", ["--set", "Dimension=3"]),
+    ("grows by 0.45, but the tip of the runs moves by 0.35", [
+        "--vary", "Geometry/Crack length=0.15,0.3,0.5", "--lengths", "0.15,0.3,0.6",
+        *COARSE]))
 
 
 def test_broken():

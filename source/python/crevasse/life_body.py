@@ -5,9 +5,6 @@
 from the geometry that is meshed; meshes of it with the crack as far as it has grown."""
 
 import math
-import pathlib
-import tempfile
-import zlib
 
 import numpy
 from numpy.linalg import norm
@@ -15,13 +12,20 @@ from scipy.sparse import coo_matrix
 from scipy.sparse.csgraph import connected_components
 
 from crevasse.command import CommandError
-from crevasse.mesh import save
-from crevasse.mesh_geo import by_gmsh, mesh
+from crevasse.mesh_geo import by_gmsh, mesh_in
 from crevasse.mesh_parts import Mistake
 from crevasse.results import shortest
 
 FINER = 0.2  # size of the border's segments, of the mesh size of the geometry
 TOUCHES = 1e-9  # of the size of the body
+
+
+def of_geometry(work, *arguments, **options):
+    """What work() makes of a geometry, or a message that Gmsh cannot."""
+    try:
+        return work(*arguments, **options)
+    except Mistake as mistake:
+        raise CommandError(f"[Geometry] Mesh file = {mistake}.", 2) from None
 
 
 def survey(gmsh, source, cracks):
@@ -66,10 +70,7 @@ def nearest(point, begins, ends):
 class Body:
     def __init__(self, source, trusted, cracks, tip):
         self.source, self.trusted = source, trusted
-        try:
-            points, lines, tips = by_gmsh(survey, source, trusted, cracks)
-        except Mistake as mistake:
-            raise CommandError(f"[Geometry] Mesh file = {mistake}.", 2) from None
+        points, lines, tips = of_geometry(by_gmsh, survey, source, trusted, cracks)
         if not tips:
             raise CommandError(
                 f"{source}: there is no tip, where a curve of the crack ends within the "
@@ -90,9 +91,6 @@ class Body:
                                "--tip N (" + "; ".join(
                                    f"{k}: ({shortest(x)}, {shortest(y)})"
                                    for k, (_, (x, y), _) in enumerate(tips, 1)) + ").", 2)
-        with tempfile.NamedTemporaryFile(suffix=".msh") as file:
-            by_gmsh(mesh, source, trusted, file.name)  # with all that it includes
-            self.key = pathlib.Path(file.name).read_bytes()
         self.vertex, place, self.group = tips[(tip or 1) - 1]
         self.tip = numpy.array(place)
         border = [line for line in lines if line[2] or line[3] not in (None, self.group)]
@@ -169,9 +167,5 @@ class Body:
                      f"{size[k]}}};\n"
                      f"l{k} = newl; Line(l{k}) = {{p{k - 1}, p{k}}};\n"
                      f"Curve{{l{k}}} In Surface{{{self.surface}}};\n")
-        key = self.key + text.encode() + b"%g" % factor
-        path = folder / f"{name}_{zlib.crc32(key):08x}.msh"
-        if not path.exists():
-            save(path, lambda part: by_gmsh(mesh, self.source, self.trusted, part, text,
-                                            self.group, factor))
-        return path
+        return of_geometry(mesh_in, folder, name, self.source, self.trusted, text,
+                           self.group, factor)

@@ -23,8 +23,9 @@ EPILOG = """Files in DIR:
 
 Examples:
   crevasse life prm/crack_growth.prm --from 5 --to 35 --error 1e-3
-  crevasse life plate.prm --vary "Geometry/Mesh file=a2.msh,a3.msh,a4.msh" \\
-    --lengths 2,3,4
+  crevasse life plate.prm --to 5    with a .geo file that has the crack length as constant
+  crevasse life plate.prm --vary "Geometry/Mesh file=a1.msh,a2.msh,a3.msh" \\
+    --lengths 1,2,3
 
 Finished runs are not computed again: after an interruption, repeat the command.
 doc/life.md explains lengths, laws and errors.
@@ -58,8 +59,8 @@ def share(text):
 def arguments(words):
     parser = Parser("life", description=__doc__, epilog=EPILOG)
     parser.add_argument("--from", dest="start", type=length, metavar="LENGTH",
-                        help="crack length at N = 0 (the scene's, or the first of "
-                        "--lengths)")
+                        help="crack length at N = 0 (that of the scene or of its .geo "
+                        "file, or the first of --lengths)")
     parser.add_argument("--to", dest="end", type=length, metavar="LENGTH",
                         help="crack length at the end (until two cells are left of the "
                         "ligament, or the last of --lengths)")

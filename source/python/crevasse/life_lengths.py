@@ -10,6 +10,8 @@ import math
 import numpy
 
 from crevasse.command import CommandError
+from crevasse.life_body import of_geometry
+from crevasse.mesh_geo import by_gmsh, crack_lengths, mesh_in
 from crevasse.results import number, shortest
 from crevasse.sweep_plan import Plan
 
@@ -17,6 +19,7 @@ FEWEST_CELLS = 4  # from the first length to the last
 LIGAMENT = 2  # cells of it that are left where no --to ends the growth
 ON_A_LINE = 1e-6
 FIRST, FEWEST = 5, 3  # lengths
+OF_GEOMETRY = 32  # parts between the lengths of a geometry, which may be any
 
 
 class Lengths:
@@ -24,9 +27,13 @@ class Lengths:
     "start" and ends at "end" at the latest, for the reason "why"."""
 
     def __init__(self, options, scene):
-        self.why = "--to"
+        self.why, self.trusts, self.body_ends = "--to", options.trust_mesh, None
+        self.geometry = scene["Geometry/Mesh file"] * (
+            scene["Geometry/Shape"] == "mesh file")
         if options.vary or options.lengths:
             self.of_values(options)
+        elif self.geometry.lower().endswith(".geo"):
+            self.of_geometry(options)
         else:
             self.of_shape(options, scene)
         self.all = numpy.array(self.all)
@@ -48,8 +55,7 @@ class Lengths:
             raise CommandError(f"--lengths {','.join(map(shortest, lengths))}: must be at "
                                f"least {FEWEST} lengths that ascend.", 2)
         self.all = lengths
-        self.settings = [plan.settings(point) for point in plan.points]
-        self.body_ends = None
+        self.settings = dict(enumerate(map(plan.settings, plan.points)))
         self.start, self.end = options.start or lengths[0], options.end or lengths[-1]
         if self.start < lengths[0]:
             raise CommandError(f"--from {self.start:g}: is shorter than the first of "
@@ -57,12 +63,42 @@ class Lengths:
         if not options.end or self.end > lengths[-1]:
             self.end, self.why = lengths[-1], "last length"
 
+    def of_geometry(self, options):
+        constants = of_geometry(by_gmsh, crack_lengths, self.geometry, self.trusts)
+        if len(constants) != 1:
+            raise CommandError(
+                f"{self.geometry}: there are {len(constants)} constants with the name "
+                "\"crack length\". Give the length as one: DefineConstant[ a = {1, Name "
+                "\"crack length\"} ]; or let the crack turn by --path.", 2)
+        (self.constant, own), = constants.items()
+        if not options.end:
+            raise CommandError("--to is missing: how long the crack becomes.", 2)
+        self.start, self.end = options.start or own, options.end
+        self.all = self.points(self.start, self.end, OF_GEOMETRY)
+        self.settings = {}  # of the lengths that are meshed
+
+    def settings_of(self, k, folder):
+        """Settings of a length; meshes of geometries are made in the folder."""
+        if k not in self.settings:
+            a = float(self.all[k])
+            path = of_geometry(mesh_in, folder, f"a_{a:.10g}", self.geometry, self.trusts,
+                               constants={self.constant: a})
+            self.settings[k] = [f"Geometry/Mesh file={path}"]
+        return self.settings[k]
+
+    @staticmethod
+    def points(low, high, parts):
+        """Chebyshev-Lobatto points, ascending."""
+        return (low + high) / 2 - (high - low) / 2 * numpy.cos(
+            numpy.pi * numpy.arange(parts + 1) / parts)
+
     def of_shape(self, options, scene):
         if scene["Geometry/Shape"] not in ("edge crack", "centre crack"):
-            raise CommandError(f"[Geometry] Shape = {scene['Geometry/Shape']}: the length "
-                               "of its crack is not known. Give meshes of several "
-                               "lengths, --vary \"Geometry/Mesh file=a.msh,b.msh,c.msh\" "
-                               "--lengths 1,2,3.", 2)
+            raise CommandError(
+                f"[Geometry] Shape = {scene['Geometry/Shape']}: the length of its crack is "
+                "not known. Give a .geo file with DefineConstant[ a = {1, Name \"crack "
+                "length\"} ]; or meshes of several lengths, --vary \"Geometry/Mesh file="
+                "a.msh,b.msh,c.msh\" --lengths 1,2,3.", 2)
         width = self.body_ends = float(scene["Geometry/Width"])
         self.start = options.start or float(scene["Geometry/Crack length"])
         for option, value in (("--from", self.start), ("--to", options.end or 0.)):
@@ -77,9 +113,9 @@ class Lengths:
         lines = range(max(math.floor(self.start * cells[0] / width + ON_A_LINE), 1),
                       min(math.ceil(self.end * cells[0] / width - ON_A_LINE), last) + 1)
         self.all = [line * width / cells[0] for line in lines]
-        self.settings = [[f"Geometry/Crack length={shortest(a)}",
-                          f"Geometry/Subdivisions={cells[0]}, {cells[1]}"]
-                         for a in self.all]
+        self.settings = {k: [f"Geometry/Crack length={shortest(a)}",
+                             f"Geometry/Subdivisions={cells[0]}, {cells[1]}"]
+                         for k, a in enumerate(self.all)}
 
     def choose_cells(self, scene, end):
         """Subdivisions with grid lines at both ends if there are some, and with some
@@ -101,8 +137,7 @@ class Lengths:
 
     def first(self):
         """Numbers of the first lengths, next to Chebyshev-Lobatto points."""
-        middle, half = self.all[[0, -1]].sum() / 2, numpy.ptp(self.all[[0, -1]]) / 2
-        points = middle - half * numpy.cos(numpy.pi * numpy.arange(FIRST) / (FIRST - 1))
+        points = self.points(*self.all[[0, -1]], FIRST - 1)
         points[[1, -1]] = points[[-1, 1]]  # the last one is left out for the error
         return list(dict.fromkeys(int(abs(self.all - x).argmin()) for x in points))
 

@@ -14,8 +14,6 @@ from numpy.linalg import norm
 from crevasse.command import CommandError
 from crevasse.life_body import Body
 from crevasse.life_run import Life
-from crevasse.mesh_parts import Mistake
-from crevasse.program import options as words_of
 from crevasse.wording import plural
 
 LARGEST_KINK = 5.  # degrees, beyond which the next step is halved
@@ -46,10 +44,6 @@ class PathLife(Life):
     is_path = True
 
     def __init__(self, options, program, log):
-        if options.trust_mesh:  # before the scene is read, which needs the mesh
-            program.finish_parameters(program.start(
-                options.scene, *words_of(options.set), "--trust-mesh",
-                "--print-parameters", "prm"))
         super().__init__(options, program, log)
         self.steps, self.chosen, self.places = [], [], [self.body.tip]
         self.companion = None
@@ -73,12 +67,12 @@ class PathLife(Life):
                                "beginning; give a longer one.", 2)
         self.step = options.step or start / 10
         return types.SimpleNamespace(start=start, end=options.end or numpy.inf, why="--to",
-                                     all=[], settings=[], names=[], body_ends=None)
+                                     all=[], settings={}, names=[], body_ends=None)
 
     def run(self):
         self.log(f"Crevasse: path of {self.options.scene.name} from a = "
-                 f"{self.lengths.start:g} at ({self.body.tip[0]:g}, {self.body.tip[1]:g}), "
-                 f"steps of {self.step:g}")
+                 f"{self.text(self.lengths.start)} at ({self.body.tip[0]:g}, "
+                 f"{self.body.tip[1]:g}), steps of {self.text(self.step)}")
         self.follow()
         if len(self.steps) < 2:
             self.refuse_short_path()
@@ -98,14 +92,16 @@ class PathLife(Life):
             self.warnings["other"] = (
                 f"with doubled steps the path ends elsewhere: by {other.lengths.why} at "
                 f"a = {other.a:g}")
-        self.warnings = other.warnings | self.warnings
+        self.run_warnings |= {(*key, "doubled"): texts
+                              for key, texts in other.run_warnings.items()}
         self.runs += other.runs
         self.new_runs += other.new_runs
         found = self.estimate(self.chosen)
         found.path_error = numpy.interp(found.edges, *self.path_errors)
         x, y = self.places[-1]
         self.log(f"  {len(self.chosen)} lengths: {found.words}\n  the path ends at "
-                 f"({x:.5g}, {y:.5g}), estimated error {found.path_error[-1]:.2g}")
+                 f"({x:.5g}, {y:.5g}), estimated error "
+                 f"{self.text(found.path_error[-1], digits=2)}")
         self.conclude(found, self.chosen)
 
     def refuse_short_path(self):
@@ -192,7 +188,6 @@ class PathLife(Life):
         other mesh sizes are tried where a mesh fails."""
         k, lengths = len(self.lengths.all), self.lengths
         lengths.all.append(a)
-        lengths.settings.append([])
         lengths.names.append(f"a_{a:.10g}{suffix}")
         for reader in self.readers:
             reader.place = points[-1]
@@ -205,8 +200,8 @@ class PathLife(Life):
                 lengths.settings[k] = [f"Geometry/Mesh file={path}"]
                 self.compute([k])
                 return self.nodes[0, k].angle
-            except (CommandError, Mistake) as error:
-                if getattr(error, "status", 3) not in (2, 3):
+            except CommandError as error:
+                if error.status not in (2, 3):
                     raise
                 failure = failure or error
         raise CommandError(f"At a = {a:g} neither the mesh nor two others can be used: "
@@ -214,6 +209,9 @@ class PathLife(Life):
 
     def name(self, k):
         return self.lengths.names[k]
+
+    def settings_of_length(self, k):
+        return self.lengths.settings[k]
 
     def comparisons(self, chosen):
         other = self.companion

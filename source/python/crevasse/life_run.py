@@ -4,6 +4,7 @@
 """One life: runs at crack lengths, on disk or to be computed, until the error of N is
 below what was asked, and what ended the growth."""
 
+import itertools
 import json
 import os
 import pathlib
@@ -14,15 +15,24 @@ from scipy.interpolate import PchipInterpolator
 
 from crevasse import life_output
 from crevasse.command import CommandError
+from crevasse.findings import INTENSITY
 from crevasse.life_growth import Growth, Reader, edges_of
 from crevasse.life_lengths import Lengths
+from crevasse.program import options as words_of
 from crevasse.program import without_numbers
 from crevasse.results import parse_parameters
 from crevasse.sweep_folder import Folder
 from crevasse.sweep_run import choose_jobs
+from crevasse.wording import in_units, plural
 
 NOT_OF_THE_LAW = ("Stress intensity", "Creep integral", "Method", "Radius")
-MOST_REFINEMENTS = 2  # of the meshes of the scene
+CYCLES = "Refinement/Cycles"  # which halve the cells at the tip alone
+MOST_REFINEMENTS = {CYCLES: 4, "Geometry/Refinements": 2}  # of the meshes of the scene
+CHORD = 0.9, 1.02  # distance of two tips, of the growth between them
+ENDS = {"--to": "the length of --to", "last length": "the last of --lengths",
+        "K_c": "K_max reaches the toughness", "arrest": "the crack does not grow",
+        "ligament": "what is left of the ligament is too small",
+        "law": "the law gives no growth for what drives it here"}
 STEADY = 0.1  # of the ligament: growth within the time until creep is steady
 
 
@@ -42,6 +52,9 @@ class Life:
         self.options, self.program, self.log = options, program, log
         members = [(options.scene, 1.), *options.block]
         self.files = [file for file, _ in members]
+        for file in self.files * options.trust_mesh:  # reading a scene needs its mesh
+            program.finish_parameters(program.start(
+                file, *words_of(options.set), "--trust-mesh", "--print-parameters", "prm"))
         self.shares = [part for _, part in members]
         texts = [program.finish_parameters(program.start_parameters(file, options.set))
                  for file in self.files]
@@ -49,6 +62,7 @@ class Life:
         self.readers = [Reader(program, file, options.set, scene, options.tip)
                         for file, scene in zip(self.files, scenes)]
         self.law = scenes[0]["Crack tip/Crack growth law"]
+        self.units = scenes[0]["Units"]
         self.lengths = self.possible_lengths(options, scenes[0])
         call = program.finish(program.start("--print-parameters", "json"))
         usual = json.loads(call.output)["Crack tip"]
@@ -58,27 +72,39 @@ class Life:
             (scenes[0]["Output directory"] or f"results/{options.scene.stem}") + "_life")
         self.period = sum(part * reader.period
                           for part, reader in zip(self.shares, self.readers))
-        self.refinements = [int(scene["Geometry/Refinements"]) for scene in scenes]
-        self.nodes, self.warnings, self.levels, self.new_runs = {}, {}, {}, 0
-        self.runs = 0
+        self.refinements = [(name, int(scene[name])) for scene in scenes for name in [
+            CYCLES if scene["Refinement/Strategy"] == "tip" and int(scene[CYCLES]) else
+            "Geometry/Refinements"]]
+        self.nodes, self.levels, self.run_warnings, self.warnings = {}, {}, {}, {}
+        self.runs = self.new_runs = 0
 
     def possible_lengths(self, options, scene):
         return Lengths(options, scene)
 
+    def text(self, value, unit="length", digits=6):
+        """A number with its unit, if [Units] names it."""
+        named = in_units(unit, self.units)
+        number = numpy.format_float_positional(value, digits, fractional=False, trim="-")
+        return number + f" {named}" * (named != unit)
+
     def name(self, k):
         """The name of the folder of a length."""
-        return f"a_{self.lengths.all[k]:.10g}" + "_refined" * self.levels.get(k, 0)
+        return f"a_{self.lengths.all[k]:.10g}" + (
+            f"_refined_{self.levels[k]}" if k in self.levels else "")
+
+    def settings_of_length(self, k):
+        return self.lengths.settings_of(k, self.directory / "meshes")
 
     def settings(self, member, k):
-        level = self.levels.get(k, 0)
-        return [*self.options.set, *self.own[member], *self.lengths.settings[k],
-                *[f"Geometry/Refinements={self.refinements[member] + level}"] * (level > 0)]
+        level, (name, least) = self.levels.get(k, 0), self.refinements[member]
+        return [*self.options.set, *self.own[member], *self.settings_of_length(k),
+                *[f"{name}={least + level}"] * (level > 0)]
 
     def run(self):
         lengths = self.lengths
         self.log(f"Crevasse {os.environ.get('CREVASSE_VERSION', '')}: life of "
-                 f"{self.options.scene.name} from a = {lengths.start:g} to "
-                 f"{lengths.end:g}, {len(lengths.all)} possible lengths")
+                 f"{self.options.scene.name} from a = {self.text(lengths.start)} to "
+                 f"{self.text(lengths.end)}, {len(lengths.all)} possible lengths")
         first = lengths.first()
         self.compute(chosen := [*first])
         while True:
@@ -97,6 +123,8 @@ class Life:
                     of_meshes and found.error_of_mesh > self.options.error * found.N):
                 break
             else:
+                if least := min(self.levels.get(k, 0) for k in chosen):
+                    self.levels[following] = least
                 chosen.append(following)
                 self.compute([following])
         self.conclude(found, chosen)
@@ -106,11 +134,12 @@ class Life:
         errors = {k: max(self.nodes[member, k].error for member in range(len(self.files)))
                   for k in chosen}
         return [k for k, error in errors.items() if error > max(errors.values()) / 2
-                and self.levels.get(k, 0) < MOST_REFINEMENTS]
+                and self.levels.get(k, 0) < min(MOST_REFINEMENTS[name]
+                                                for name, _ in self.refinements)]
 
     def refine(self, numbers):
         self.log("  halves the cells at a = " + ", ".join(
-            f"{self.lengths.all[k]:g}" for k in sorted(numbers)))
+            self.text(self.lengths.all[k]) for k in sorted(numbers)))
         for k in numbers:
             self.levels[k] = self.levels.get(k, 0) + 1
         self.compute(numbers)
@@ -147,18 +176,35 @@ class Life:
     def keep(self, member, k, folder, result, remark=""):
         a = self.lengths.all[k]
         if result.status != "done":
-            raise CommandError(f"The run at a = {a:g} ({folder.path}): {result.message}",
+            raise CommandError(f"The run at a = {self.text(a)} ({folder.path}): "
+                               f"{result.message}",
                                3 if result.status != "refused" else 2)
-        for text in result.warnings:
-            self.warnings.setdefault(without_numbers(text), text)
+        self.run_warnings[member, k] = result.warnings  # a finer mesh has others
         self.runs += 1
         node = self.readers[member].node(a, folder.path)
+        if not self.is_path:
+            self.compare_places(member, node)
         self.nodes[member, k] = node
         K = node.drivers["K_max"]
-        self.log(f"  a = {a:g}: " + (f"growth by creep {node.creep[0]:.5g}" if
-                                     numpy.isnan(K) else f"K_max {K:.5g}")
-                 + f", estimated error of K {100 * node.error:.1g} %; "
-                 f"{result.costs['seconds']:.2g} s{remark}")
+        self.log(f"  a = {self.text(a)}: " + (
+            f"growth by creep {self.text(node.creep[0], digits=5)}" if numpy.isnan(K)
+            else f"K_max {self.text(K, INTENSITY, 5)}")
+            + f", estimated error of K {100 * node.error:.1g} %; "
+            f"{result.costs['seconds']:.2g} s{remark}")
+
+    def compare_places(self, member, node):
+        """Refuses lengths of --lengths or of a .geo file that are not those of the runs:
+        a tip moves by as much as its crack grows, by less where the crack has kinks."""
+        other = next((self.nodes[key] for key in self.nodes if key[0] == member), node)
+        grown = abs(node.a - other.a)
+        moved = numpy.linalg.norm(numpy.subtract(node.place, other.place))
+        if not CHORD[0] * grown <= moved <= CHORD[1] * grown:
+            raise CommandError(
+                f"from a = {other.a:g} to {node.a:g} the crack grows by "
+                f"{self.text(grown)}, but the tip of the runs moves by "
+                f"{self.text(moved)}: from ({', '.join(f'{x:g}' for x in other.place)}) to "
+                f"({', '.join(f'{x:g}' for x in node.place)}). Give the lengths of these "
+                "cracks.", 2)
 
     def growth(self, chosen, with_error=False):
         return Growth(self.readers, self.shares, [
@@ -210,28 +256,30 @@ class Life:
         error = found.errors[-1]
         found.is_enough = error <= self.options.error * found.N or not numpy.isfinite(
             found.N)
-        found.words = (f"N = {found.N:.6g}, estimated error {error:.2g} "
+        found.words = (f"N = {found.N:.6g} periods, estimated error {error:.2g} "
                        f"(lengths {found.error_of_lengths:.1g}, "
                        f"meshes {found.error_of_mesh:.1g})" if numpy.isfinite(found.N)
-                       else f"no end: the crack does not grow at a = {found.end:.6g}")
+                       else f"no end: the crack does not grow at a = {self.text(found.end)}")
 
     def conclude(self, found, chosen):
+        for text in itertools.chain(*self.run_warnings.values()):
+            self.warnings.setdefault(without_numbers(text), text)
         self.describe_transition(found, chosen)
         life_output.write(self, found, chosen)
         for text in self.warnings.values():
             self.log("  warning: " + text)
-        self.log(f"  stopped by {found.why} at a = {found.end:.6g}; {self.new_runs} new "
-                 f"runs; table in {self.directory}/life.csv, life.json")
+        self.log(f"  ends at a = {self.text(found.end)}: {ENDS.get(found.why, found.why)}\n"
+                 f"  {plural(self.new_runs, 'new run')}; {self.directory}/life.csv, life.json")
         if not found.is_enough:
             raise CommandError(
-                f"The estimated error of N, {found.errors[-1] / found.N:.2g} of it, is "
+                f"The estimated error of N, {100 * found.errors[-1] / found.N:.2g} %, is "
                 f"above --error {self.options.error:g}: " + self.advice(found), 3)
 
     def advice(self, found):
         return ("the meshes are too coarse; refine them." if
                 found.error_of_mesh >= found.error_of_lengths else
-                "there are no more lengths; allow more, by finer Subdivisions or more "
-                "--lengths.")
+                "there are no more lengths; give more --lengths." if self.options.lengths
+                else "there are no more lengths; allow more by finer Subdivisions.")
 
     def describe_transition(self, found, chosen):
         """How much the crack grows until creep is steady, part of the ligament, at the
@@ -245,12 +293,11 @@ class Life:
         rest = (self.lengths.body_ends or 2 * found.edges) - found.edges
         found.transition = found.rates.sum(axis=0) * time / self.period / rest
         largest = found.transition.max()
-        time, part = (numpy.format_float_positional(x, digits, fractional=False, trim="-")
-                      for x, digits in ((times.max(), 4), (100 * largest, 2)))
-        self.log(f"  creep is steady after a time of at most {time}; the crack grows "
-                 f"meanwhile by at most {part} % of the ligament")
+        self.log("  creep is steady after a time of at most "
+                 f"{self.text(times.max(), 'time', 4)}; the crack grows meanwhile by at most "
+                 f"{self.text(100 * largest, '%', 2)} % of the ligament")
         if largest > STEADY:
             a = found.edges[(found.transition > STEADY).argmax()]
             self.warnings["transition"] = (
-                f"from a = {a:.4g} on the crack grows by more than {100 * STEADY:g} % of the "
+                f"from a = {self.text(a, digits=4)} on the crack grows by more than {100 * STEADY:g} % of the "
                 "ligament before creep is steady: C* does not describe its growth there")

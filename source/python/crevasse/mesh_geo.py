@@ -9,6 +9,7 @@ import pathlib
 import re
 import signal
 import tempfile
+import zlib
 
 from crevasse.mesh_parts import Mistake
 
@@ -127,7 +128,7 @@ def is_assigned(words, k):
     return words[k - 1:k + 2:2] == ["For", "In"] or words[end_of(words, k + 1)] in ASSIGNS
 
 
-def by_gmsh(work, source, trusted, *arguments):
+def by_gmsh(work, source, trusted, *arguments, **options):
     """The result of work(gmsh, source, ...) in a process of its own, which Gmsh may end.
     A source that is not trusted is checked, and copied: Gmsh runs a file source.opt."""
     import gmsh  # pylint: disable=import-outside-toplevel
@@ -142,7 +143,7 @@ def by_gmsh(work, source, trusted, *arguments):
         try:
             gmsh.initialize(readConfigFiles=False)
             gmsh.option.setNumber("General.Terminal", 0)
-            there.send((True, work(gmsh, path, *arguments)))
+            there.send((True, work(gmsh, path, *arguments, **options)))
         except Exception as error:  # pylint: disable=broad-except
             there.send((False, str(error).replace(path, str(source))))
     with tempfile.TemporaryDirectory() as folder:
@@ -164,9 +165,31 @@ def by_gmsh(work, source, trusted, *arguments):
     return result
 
 
-def mesh(gmsh, source, target, additions="", group=None, factor=1.):
-    """Meshes a geometry with some statements more, whose curves join a group."""
+def crack_lengths(gmsh, source):
+    """{full name: value} of the constants of a .geo file that are named "crack length",
+    as by DefineConstant[ a = {1, Name "Crack length"} ]."""
+    gmsh.open(source)
+    return {name: gmsh.onelab.getNumber(name)[0] for name in gmsh.onelab.getNames()
+            if name.rpartition("/")[2].lower() == "crack length"}
+
+
+def mesh_in(folder, name, source, trusted, *arguments, **options):
+    """Meshes a geometry; the name of the file has the checksum of its content."""
+    folder.mkdir(parents=True, exist_ok=True)
+    with tempfile.TemporaryDirectory(dir=folder) as place:
+        part = pathlib.Path(place) / "part.msh"
+        by_gmsh(mesh, source, trusted, part, *arguments, **options)
+        path = folder / f"{name}_{zlib.crc32(part.read_bytes()):08x}.msh"
+        part.replace(path)
+    return path
+
+
+def mesh(gmsh, source, target, additions="", group=None, factor=1., constants=()):
+    """Meshes a geometry, with the values of some of its constants {name: value}, with
+    some statements more, whose curves join a group."""
     model = gmsh.model
+    for name, value in dict(constants).items():
+        gmsh.onelab.setNumber(name, [value])
     gmsh.open(source)
     if additions:
         before = {*model.getEntities(1)}
