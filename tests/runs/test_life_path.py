@@ -85,7 +85,11 @@ def test_short_path():
     check_close(table["y"][-1], 0.00565, 2e-4, "deflection")
     check_close(math.hypot(table["x"][-1] - 0.5, table["y"][-1]), 0.2, 1e-4, "arc")
     check(table["path_error"][-1] < 1e-3, "error of the path")
-    check("Path" in page(pathlib.Path("results/short"))[0], "the page")
+    text = page(pathlib.Path("results/short"))[0]
+    check("Path" in text and text.count('id="periods"') == 1, "the page")
+    code, _, error = execute("figures", "results/short")
+    names = [file.stem for file in pathlib.Path("results/short/figures").iterdir()]
+    check(code == 0 and "path" in names, f"figures {names}\n{error}")
     again, _, _ = path("short", *words, fresh=False)
     check(again["new_runs"] == 0 and again["N"] == found["N"], f"{again}")
     error = path("arrest", *words, "--set", "Crack tip/Paris threshold=1e3", status=3)

@@ -5,8 +5,8 @@
 (1980), section 7: the mesh; stress and opening at a probe over one period; level
 curves of the stress, principal stresses and second invariant of the deviator at one
 instant. Of a sweep: each result that varies, such as K_I, against the parameter; errors
-against costs. Of a life: crack length over periods, growth, K and C*. Exit status: 0
-done, 2 nothing to draw, 4 a file cannot be written."""
+against costs. Of a life: its path, crack length over periods, growth, K and C*. Exit
+status: 0 done, 2 nothing to draw, 4 a file cannot be written."""
 
 import argparse
 import pathlib

@@ -3,6 +3,7 @@
 
 """The figures of a life: those of its page, for print."""
 
+from crevasse.histories import COLOURS
 from crevasse.life_output import charts_of, read
 from crevasse.plotting import add_legend, name_numbers, pyplot
 
@@ -10,11 +11,23 @@ NAMES = {"a": "crack_length", "da/dN": "growth", "K": "stress_intensity", "C*": 
 
 
 def drawings(options):
-    """Figures (file name, figure): a(N) with its band, da/dN over ΔK, K and C* over a."""
+    """Figures (file name, figure): the path on the body, a(N) with its band, da/dN over
+    ΔK, K and C* over a."""
     life, table = read(options.results)
+    if "body" in life:
+        yield "path", draw_path(life["body"], table)
     for chart in charts_of(table, life):
         if chart["series"]:
             yield NAMES[chart["y"].split()[-1]], draw(chart)
+
+
+def draw_path(body, table):
+    figure, axes = pyplot.subplots(figsize=(5.6, 3.6), constrained_layout=True)
+    for outline in body:
+        axes.plot(*zip(*outline), color="#777777", linewidth=0.8)
+    axes.plot(table["x"], table["y"], color=COLOURS[0])
+    axes.set(xlabel="x", ylabel="y", aspect="equal")
+    return figure
 
 
 def draw(chart):

@@ -116,7 +116,11 @@ def picture(table, outlines):
     low, high = (end([end(outline, axis=0) for outline in outlines], axis=0)
                  for end in (numpy.min, numpy.max))
     margin = 0.02 * max(high - low)
+    known = numpy.isfinite(table["N"])
+    growth = {name: (sign * table[name][known]).tolist() for name, sign in (
+        ("N", 1), ("a", 1), ("x", 1), ("y", -1))}
     return {"body": [*map(text, outlines)], "path": text(zip(table["x"], table["y"])),
+            "growth": growth,
             "box": [low[0] - margin, -high[1] - margin, *(high - low + 2 * margin)]}
 
 

@@ -57,7 +57,8 @@ class PathLife(Life):
         if scene["Geometry/Shape"] != "mesh file" or not source.lower().endswith(".geo"):
             raise CommandError("--path: needs a body that is meshed anew for each length: "
                                "[Geometry] Shape = mesh file, and a .geo file as Mesh "
-                               f"file, not \"{source or scene['Geometry/Shape']}\".", 2)
+                               f"file, not \"{source or scene['Geometry/Shape']}\". It may "
+                               "merge a .brep file, and add the first crack.", 2)
         cracks = [name.strip() for role in ("Crack", "Open crack")
                   for name in scene[f"Boundary/{role}"].split(",") if name.strip()]
         self.body = Body(source, options.trust_mesh, cracks, options.tip)
@@ -78,7 +79,7 @@ class PathLife(Life):
             self.refuse_short_path()
         self.log("  the same with doubled steps, for the errors")
         options = copy.copy(self.options)
-        options.output = self.directory / "doubled_steps"
+        options.output, options.step = self.directory / "doubled_steps", 2 * self.step
         other = self.companion = PathLife(options, self.program, self.log)
         pairs = [sum(self.steps[k:k + 2]) for k in range(0, len(self.steps), 2)]
         other.follow(pairs)
