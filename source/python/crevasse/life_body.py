@@ -54,8 +54,11 @@ def survey(gmsh, source, cracks):
                       for one, other in rows.tolist()]
         for vertex in vertices:
             ends.setdefault(int(vertex), []).append(curve)
-    tips = [(int(vertex), [*model.getValue(0, int(vertex), [])[:2]], own[curves[0]])
-            for vertex, curves in ends.items() if len(curves) == 1 and curves[0] in own]
+    within = {curve: surface for _, surface in model.getEntities(2)
+              for kind, curve in model.mesh.getEmbedded(2, surface) if kind == 1}
+    tips = [(int(vertex), [*model.getValue(0, int(vertex), [])[:2]], own[curves[0]],
+             within[curves[0]]) for vertex, curves in ends.items()
+            if len(curves) == 1 and {*curves} <= {*own} & {*within}]
     return points.reshape(-1, 3)[:, :2].tolist(), lines, tips
 
 
@@ -80,7 +83,7 @@ class Body:
         points = numpy.array(points)
         self.size = numpy.ptp(points, axis=0).max()
         outline = points[[line[:2] for line in lines if line[2]]]
-        for _, (x, y), _ in tips:
+        for _, (x, y), *_ in tips:
             if nearest([x, y], *outline.swapaxes(0, 1))[0].min() < TOUCHES * self.size:
                 raise CommandError(
                     f"{source}: the crack begins at ({shortest(x)}, {shortest(y)}) on a "
@@ -90,8 +93,8 @@ class Body:
             raise CommandError(f"{source}: there are {len(tips)} crack tips: choose one by "
                                "--tip N (" + "; ".join(
                                    f"{k}: ({shortest(x)}, {shortest(y)})"
-                                   for k, (_, (x, y), _) in enumerate(tips, 1)) + ").", 2)
-        self.vertex, place, self.group = tips[(tip or 1) - 1]
+                                   for k, (_, (x, y), *_) in enumerate(tips, 1)) + ").", 2)
+        self.vertex, place, self.group, self.surface = tips[(tip or 1) - 1]
         self.tip = numpy.array(place)
         border = [line for line in lines if line[2] or line[3] not in (None, self.group)]
         nodes = numpy.array([line[:2] for line in border])
@@ -102,18 +105,6 @@ class Body:
         self.part = connected_components(graph, directed=False)[1][nodes[:, 0]]
         self.kind = ["crack" if not line[2] else "border" if len(line[2]) == 1
                      else "interface" for line in border]
-        self.surface = next((s for s in {s for line in border for s in line[2]}
-                             if self.is_within(numpy.array([s in line[2] for line in border
-                                                            ]))), 1)
-
-    def is_within(self, segments):
-        """Whether the tip is within a surface with these segments: a ray to the right
-        crosses an odd number."""
-        low, high = self.begins[segments] - self.tip, self.ends[segments] - self.tip
-        crosses = (low[:, 1] > 0) != (high[:, 1] > 0)
-        low, high = low[crosses], high[crosses]
-        return ((low[:, 0] - low[:, 1] * (high[:, 0] - low[:, 0]) / (
-            high[:, 1] - low[:, 1])) > 0).sum() % 2 == 1
 
     def gap(self, point):
         """Distance from a point to the nearest border, hole or other crack; its name."""

@@ -18,7 +18,7 @@ from crevasse.wording import plural
 
 LARGEST_KINK = 5.  # degrees, beyond which the next step is halved
 GAP = 2.5  # steps from a border, below which the step is halved
-SMALLEST = 1 / 8  # of the step
+SMALLEST = 1 / 32  # of the step
 FACTORS = 1., 0.8, 0.5  # of the mesh size, where a mesh fails
 MOST_STEPS = 2000
 RICHARDSON = 1 / 3  # of the difference that doubled steps of second order make

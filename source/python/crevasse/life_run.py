@@ -299,5 +299,5 @@ class Life:
         if largest > STEADY:
             a = found.edges[(found.transition > STEADY).argmax()]
             self.warnings["transition"] = (
-                f"from a = {self.text(a, digits=4)} on the crack grows by more than {100 * STEADY:g} % of the "
-                "ligament before creep is steady: C* does not describe its growth there")
+                f"from a = {self.text(a, digits=4)} on the crack grows by more than "
+                f"{100 * STEADY:g} % of the ligament before creep is steady: C* does not describe its growth there")
