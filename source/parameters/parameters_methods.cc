@@ -386,6 +386,6 @@ namespace Crevasse
       error_bars,
       "Whether results get error bars from the mesh, the steps "
       "and the search for the periodic state, by companion runs "
-      "with larger cells and fewer steps.");
+      "with larger cells and shorter steps.");
   }
 } // namespace Crevasse

@@ -166,8 +166,7 @@ def kind_of(quantity):
     name = quantity.of
     return ("K" if name.startswith(("K_", "Delta_K")) else
             "C*" if name.startswith("C_") else
-            {"u": "displacement", "s": "stress", "force": "contact force",
-             "largest opening": "opening"}.get(name, name))
+            {"u": "displacement", "s": "stress", "force": "contact force"}.get(name, name))
 
 
 class Case:
@@ -200,7 +199,8 @@ class Case:
 
     def truth(self):
         """True errors {quantity: {total, time, scale}}. The reference of a march has as
-        many periods, so that the part of the periods is not in them."""
+        many periods, so that the part of the periods is not in them. The scale of drift
+        is the displacement over the period."""
         from crevasse.bars_compare import Histories, difference, largest
         finer = finer_steps(self.found.scene, self.settings)
         same = self.found.choice.same_periods()
@@ -211,17 +211,16 @@ class Case:
         for quantity in self.found.quantities:
             entry = {}
             for part, run in zip(("total", "time"), runs):
-                if quantity.name in self.found.mine.findings:
-                    if quantity.name in run.findings:
-                        entry[part] = abs(run.findings[quantity.name]
-                                          - self.found.mine.findings[quantity.name])
+                if {quantity.name} <= run.findings.keys() & self.found.mine.findings.keys():
+                    entry[part] = abs(run.findings[quantity.name]
+                                      - self.found.mine.findings[quantity.name])
                 elif (change := difference(quantity, self.found.mine, run)[0]) is not None:
-                    entry[part] = float(max(change, abs(
-                        largest(quantity, run) - largest(quantity, self.found.mine))))
+                    entry[part] = float(change)
             kind = kind_of(quantity)
             scales[kind] = max(scales.get(kind, 0.), abs(largest(quantity, runs[0]))
                                if len(entry) == 2 else 0.)
             errors[quantity.name] = entry
+        scales["drift"] = runs[0].summary["extremes"]["displacement"] / runs[0].period
         for quantity in self.found.quantities:
             errors[quantity.name]["scale"] = scales[kind_of(quantity)]
             errors[quantity.name]["kind"] = kind_of(quantity)

@@ -2,7 +2,7 @@
 # Copyright (C) 2026 by the Crevasse authors
 
 """Gives the results of a run error bars: what the mesh, the steps and the search for the
-periodic state leave. Companion runs with larger cells and fewer steps show it; those
+periodic state leave. Companion runs with larger cells and shorter steps show it; those
 that are finished are not computed again. "crevasse SCENE --bars" calls this after the
 run."""
 
@@ -13,8 +13,9 @@ import shutil
 
 from crevasse.advise_runs import Runs
 from crevasse.bars_companions import SAFETY, SMALLEST_RATIO, Choice, factor
-from crevasse.bars_compare import (Histories, difference, largest, missed_by_samples,
-                                   mode_two_of_closed_tip, quantities_of)
+from crevasse.bars_compare import (Histories, difference, largest,
+                                   mode_two_of_closed_tip, quantities_of,
+                                   relative_error_of_tip)
 from crevasse.bars_text import table_of, to_halve
 from crevasse.command import CommandError, Parser, write_file
 from crevasse.results import is_number
@@ -27,8 +28,6 @@ LARGE, FALLS = .15, .85  # differences of a quantity without a limit, as h is ha
 # Part of K_II that K_I of a closed tip between two lips may have where it is 0
 # (doc/crack_tip.md). Meshes that are not symmetric about the crack have it in common.
 SLIDING = .05
-# What changes Delta_K_eff, which itself is found from samples.
-OF_RANGE = ("K_I_largest", "K_opening", "K_II_largest", "K_II_smallest")
 OF_A_TIP = ("s", "pressure")  # what a tip makes infinite
 
 
@@ -62,7 +61,7 @@ class Bars:
         self.forget_older_runs()
         meshes, steps = self.choice.meshes(), self.choice.steps()
         share = sum(mesh.cost for mesh in meshes) + (
-            steps[0].cost * min(meshes[0].cost, 1.) if steps else 0.)
+            steps.cost * min(meshes[0].cost, 1.) if steps else 0.)
         seconds = self.own.summary.get("processor_seconds", 0.)
         self.log(f"Error bars: companion runs, about {share * seconds:.2g} s "
                  f"({100 * share:.0f} % of the run)")
@@ -115,13 +114,9 @@ class Bars:
         if self.meshes and self.meshes[0][0].ratio > 1.:
             on_mesh, base = self.meshes[0][0].settings, self.meshes[0][1]
         self.time, self.why_no_time = None, ""
-        for other in steps:
-            run, why = self.companion(other.name, on_mesh | other.settings)
-            if run:
-                self.time = other, base, run
-                self.why_no_time = ""
-                return
-            self.why_no_time = why
+        if steps:
+            run, self.why_no_time = self.companion(steps.name, on_mesh | steps.settings)
+            self.time = run and (steps, base, run)
 
     def bar(self, quantity):
         value = largest(quantity, self.mine)
@@ -150,7 +145,8 @@ class Bars:
         part = self.choice.mesh_part(quantity.of, changes,
                                      [mesh.ratio for mesh, _ in self.meshes])
         of_sliding = SLIDING * mode_two_of_closed_tip(quantity, self.mine)
-        return max(part, SAFETY * min(abs(value), of_sliding)), ""
+        of_run = relative_error_of_tip(quantity, self.mine) if len(changes) == 1 else 0.
+        return max(part, SAFETY * min(abs(value), of_sliding), of_run * abs(value)), ""
 
     def grows(self, quantity, changes):
         """Whether a stress grows from mesh to mesh, by more than rounding."""
@@ -176,18 +172,12 @@ class Bars:
     def time_part(self, quantity):
         if self.time is None:
             return (None, self.why_no_time) if self.why_no_time else (0., "")
-        if quantity.of == "Delta_K_eff":
-            tip = quantity.name.removeprefix("Delta_K_eff")
-            parts = [self.time_part(other)[0] for other in self.quantities
-                     if other.name in [name + tip for name in OF_RANGE]]
-            return (None, "K_op is unknown") if None in parts else (sum(parts), "")
         other, base, run = self.time
         change, why = difference(quantity, base, run)
         if change is None:
             return None, why
-        order = 1. if other.name == "larger_tolerance" else self.choice.order_in_time
-        return (factor(other.ratio, order) * change
-                + missed_by_samples(quantity, self.mine, self.choice.locates_events)), ""
+        order = 1. if other.name == "smaller_tolerance" else self.choice.order_in_time
+        return factor(other.ratio, order) * change, ""
 
     def period_part(self, quantity, value):
         """The estimated error of the stress that the run has printed, relative; none if

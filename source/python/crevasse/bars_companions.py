@@ -7,14 +7,15 @@ cells, or with other steps, and the factor by which a difference becomes an erro
 import dataclasses
 import math
 
-from crevasse.quantities import has_lip
+from crevasse.quantities import has_lip, has_two_lips
 
 ORDERS = {"euler": 1.}  # of time schemes; all others have 2 or more
 SMALLEST_RATIO = 1.2  # of the sizes of cells, that a difference says something
 # Factors of safety: of Roache's grid convergence index; at a tip, where coarse meshes
 # have not reached their order; and where an adaptive mesh keeps cells of its companion.
 SAFETY, SAFETY_AT_TIP, SAFETY_ADAPTIVE = 1.25, 1.5, 2.
-LOCAL = ("s", "pressure", "force")
+LOCAL = ("s", "pressure")
+OF_CONTACT = ("s", "pressure", "force", "closed_part", "K_opening", "Delta_K_eff")
 
 
 @dataclasses.dataclass
@@ -44,7 +45,6 @@ class Choice:
                                  and self.scene["Geometry/Shape"] != "rectangle")
         self.is_adaptive = self.scene["Refinement/Strategy"] == "adaptive"
         self.unknowns = self.summary["unknowns"]
-        self.locates_events = self.scene["Time integration/Locate contact events"] == "true"
 
     def number(self, name):
         return int(self.scene[name])
@@ -54,13 +54,17 @@ class Choice:
         with it K and displacements, converges as h, on optimal adaptive meshes as
         h^(2 Degree); singular functions leave the next term, r^(3/2), whose energy
         converges as h^3. Stress and pressure at points, and bodies without a tip, are
-        limited by the ends of the contact zone: h^(3/2)."""
+        limited by the ends of the contact zone: h^(3/2). The contact force is a
+        product of energies, as is the instant at which a lip closes, and as ends move
+        by cells it converges as h^2; a closed half has no singular tip, two lips do."""
         degree = self.number("Discretisation/Degree")
         if self.is_adaptive:
             return 2. * degree
         if self.functions:
-            return min(degree, 2.) if kind in LOCAL else min(degree + 1., 3.)
-        return 1. if self.has_singular_tip and kind not in LOCAL else 1.5
+            return min(degree + (kind not in LOCAL), 2. if kind in OF_CONTACT else 3.)
+        if kind == "force" and not has_two_lips(self.scene):
+            return 2.
+        return 1.5 if kind in LOCAL or not self.has_singular_tip else 1.
 
     def mesh_part(self, kind, changes, ratios):
         """The bar's part from the mesh, of the changes between meshes with ratios of
@@ -150,28 +154,26 @@ class Choice:
         return ", ".join(map(str, coarse)), ratio
 
     def steps(self):
-        """Companions with other steps, the cheapest first: explicit schemes refuse steps
-        beyond their stability limit."""
+        """The companion with steps of half the length, or a quarter of the tolerance;
+        None if each instant is solved by itself. Longer steps would be cheaper, but
+        they may miss what the run's steps show."""
         control = self.scene["Time integration/Step control"]
-        n = self.number("Time integration/Steps per period")
         if self.scene["Material/Viscosity"] == "none":
-            return []  # each instant by itself
+            return None
         if control == "uniform":
             name = "Time integration/Steps per period"
-            half = [Companion("half_of_the_steps", {name: n // 2}, 2., .5)]
-            return half * (n % 2 == 0 and n >= 8) + [
-                Companion("twice_the_steps", {name: 2 * n}, .5, 2.)]
+            return Companion("shorter_steps", {name: 2 * self.number(name)}, .5, 2.)
         if control == "list":
             instants = [0., *map(float, self.scene["Time integration/Steps"].split(",")),
                         float(self.scene["Loads/Period"])]
             all_of_them = sorted({t for a, b in zip(instants, instants[1:])
                                   for t in (a, (a + b) / 2)} - {0.})
-            return [Companion("twice_the_steps", {
-                "Time integration/Steps": ", ".join(map(repr, all_of_them))}, .5, 2.)]
-        return [Companion("larger_tolerance", {
-            f"Time integration/{kind} tolerance": 4. * float(
-                self.scene[f"Time integration/{kind} tolerance"])
-            for kind in ("Relative", "Absolute")}, 4., .6)]
+            return Companion("shorter_steps", {
+                "Time integration/Steps": ", ".join(map(repr, all_of_them))}, .5, 2.)
+        return Companion("smaller_tolerance", {
+            f"Time integration/{kind} tolerance": float(
+                self.scene[f"Time integration/{kind} tolerance"]) / 4.
+            for kind in ("Relative", "Absolute")}, .25, 1.6)
 
 
 def divided(n, times, fraction):
