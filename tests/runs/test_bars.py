@@ -103,6 +103,8 @@ def test_parts():
         check(found[name]["bar"] is None and "no limit: beside a crack tip" ==
               found[name]["why"], f"{name}: {found[name]}")
     check(found["probe tip u"]["bar"] is not None, "displacements are finite")
+    check_close(results.summary["crack_tip"]["K_I_error"], max(
+        found[f"K_I_{end}"]["bar"] for end in ("largest", "smallest")), 1e-12, "one error")
     text, headline, _, damages = page(directory)
     check(not damages and "Error bars" in text and "no limit" in text, "report")
     check(any("largest K_I" in line and "±" in line for line in headline), f"{headline}")

@@ -28,6 +28,10 @@ LARGE, FALLS = .15, .85  # differences of a quantity without a limit, as h is ha
 # Part of K_II that K_I of a closed tip between two lips may have where it is 0
 # (doc/crack_tip.md). Meshes that are not symmetric about the crack have it in common.
 SLIDING = .05
+# Errors of tips that the run has estimated, and the quantities whose bars replace them.
+ESTIMATES = {**{f"K_{mode}_error": (f"K_{mode}_largest", f"K_{mode}_smallest")
+                for mode in ("I", "II", "III")},
+             "error_of_largest": ("C_t_largest",), "error_of_last": ("C_t_last",)}
 OF_A_TIP = ("s", "pressure")  # what a tip makes infinite
 
 
@@ -213,12 +217,26 @@ class Bars:
         path = self.results / "summary.json"
         summary = json.loads(path.read_text(encoding="utf-8"))
         summary["bars"] = bars
+        replace_estimates(bars, summary)
         write_file(path, json.dumps(summary, indent=2, ensure_ascii=False) + "\n")
         lines = [*table_of(bars), *to_halve(bars, self.choice, self.own)]
         for line in lines:
             self.log(line)
         with open(self.results / "log.txt", "a", encoding="utf-8") as file:
             file.write("".join(line + "\n" for line in lines))
+
+
+def replace_estimates(bars, summary):
+    """Makes the estimated errors of tips in a summary those of the bars, so that K has
+    one error."""
+    alone = [summary[name] for name in ("crack_tip", "crack_front") if name in summary]
+    for tips in summary.get("crack_tips", alone), summary.get("creep_integrals", []):
+        for k, tip in enumerate(tips, 1):
+            for estimate in ESTIMATES.keys() & tip.keys():
+                found = [bars[name]["bar"] for kind in ESTIMATES[estimate]
+                         if (name := f"{kind}_{k}" if len(tips) > 1 else kind) in bars]
+                if found and None not in found:
+                    tip[estimate] = max(found)
 
 
 def no_bar(value, why):

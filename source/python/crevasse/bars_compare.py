@@ -18,11 +18,11 @@ from crevasse.run_reader import Run
 # A quantity of one number or history: columns of a table (all components of a tensor
 # together), or else a finding of the summary.
 Quantity = collections.namedtuple("Quantity", "name, table, columns, of, probe")
-FINDINGS = ("K_I_largest", "K_I_smallest", "K_II_largest", "K_II_smallest", "Delta_K",
-            "K_opening", "Delta_K_eff", "equivalent_intensity", "energy_release_rate",
-            "T_stress_largest", "T_stress_smallest", "growth_angle", "C_t_largest",
-            "C_t_last", "C_star", "da_dN", "da_dN_fatigue", "da_dN_creep", "opening",
-            "closed_part", "drift")
+FINDINGS = ("K_I_largest", "K_I_smallest", "K_II_largest", "K_II_smallest",
+            "K_III_largest", "K_III_smallest", "Delta_K", "K_opening", "Delta_K_eff",
+            "equivalent_intensity", "energy_release_rate", "T_stress_largest",
+            "T_stress_smallest", "growth_angle", "C_t_largest", "C_t_last", "C_star",
+            "da_dN", "da_dN_fatigue", "da_dN_creep", "opening", "closed_part", "drift")
 
 
 class Histories:
@@ -95,8 +95,7 @@ def difference(quantity, one, other):
 
 def mode_two_of_closed_tip(quantity, run):
     """K_II at an extreme of K_I at which the lips of a crack with two lips press."""
-    contact = run.table("contact")
-    tip = run.table(f"crack_tip_{findings.split(quantity.name)[1] or 1}")
+    tip, contact = table_of_tip(quantity, run), run.table("contact")
     if (quantity.of not in ("K_I_largest", "K_I_smallest") or not contact or not tip
             or "K_II" not in tip.columns):
         return 0.
@@ -108,10 +107,15 @@ def mode_two_of_closed_tip(quantity, run):
 
 def relative_error_of_tip(quantity, run):
     """The error of K that the run itself estimates; 0 for other quantities."""
-    tip = quantity.name.removeprefix(quantity.of)
-    error, *ends = (run.findings.get(name + tip, 0.)
-                    for name in ("K_I_error", "K_I_largest", "K_I_smallest"))
-    return error / max(map(abs, ends)) if error and "K" in quantity.of else 0.
+    tip = table_of_tip(quantity, run) if "K" in quantity.of else None
+    if not tip or not (size := abs(tip.columns["K_I"]).max()):
+        return 0.
+    return tip.columns["K_I_error"].max() / size
+
+
+def table_of_tip(quantity, run):
+    return (run.table(f"crack_tip_{findings.split(quantity.name)[1] or 1}")
+            or run.table("crack_tip"))
 
 
 def largest(quantity, run):

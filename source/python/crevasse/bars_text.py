@@ -38,6 +38,8 @@ def table_of(bars):
         yield row(name, entry)
     if len(bars) > MOST_ROWS:
         yield f"    {len(bars) - MOST_ROWS} more in summary.json"
+    if any(name.startswith("K_") for name in bars):
+        yield "    bars of K replace the estimated errors above"
 
 
 def to_halve(bars, choice, run):
