@@ -107,6 +107,7 @@ def test_parts():
         found[f"K_I_{end}"]["bar"] for end in ("largest", "smallest")), 1e-12, "one error")
     text, headline, _, damages = page(directory)
     check(not damages and "Error bars" in text and "no limit" in text, "report")
+    check(f'"bars": [{found["contact force"]["bar"]}]' in text, "band of a history")
     check(any("largest K_I" in line and "±" in line for line in headline), f"{headline}")
     log = (directory / "log.txt").read_text()
     check("error bars of the last period" in log, log)

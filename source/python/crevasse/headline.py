@@ -190,4 +190,4 @@ def chart(run):
                             f"{title} over {span}",
                             noise=histories.ROUNDING * largest, log=log)
     drawn["views"] = {"whole": drawn["views"].get("last", drawn["views"]["whole"])}
-    return drawn
+    return drawn | histories.bands(run, *(f"{name}_largest" for name in curves))

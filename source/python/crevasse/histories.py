@@ -26,7 +26,14 @@ def probe_charts(run, name):
                    and (column != "s_33" or table[column].any())]  # plane stress
         if columns:
             yield chart(run, table, columns, axis, f"{name}: {kind}",
-                        noise=ROUNDING * largest(table, kind))
+                        noise=ROUNDING * largest(table, kind)) | bands(
+                            run, *[f"probe {name} {prefix.rstrip('_')}"] * len(columns))
+
+
+def bands(run, *names):
+    """The error bars of the series of a chart, by their names in summary.json."""
+    bars = run.summary.get("bars", {})
+    return {"bars": [bars.get(name, {}).get("bar") for name in names]}
 
 
 def largest(table, kind):
@@ -43,7 +50,8 @@ def lip_charts(run):
     yield chart(run, table, ["force"],
                 "force" if run.dimension == 3 else "force per thickness",
                 "Contact force on the lip",
-                noise=ROUNDING * table["force"].max() if presses else numpy.inf)
+                noise=ROUNDING * table["force"].max() if presses else numpy.inf
+                ) | bands(run, "contact force")
     yield chart(run, table, ["closed_nodes"], "closed nodes", "Closed nodes of "
                 f"the lip (it has {nodes_of_lip(run)})")
 
@@ -53,7 +61,7 @@ def stress_intensity_charts(run):
     columns = [column for column in table if column.startswith("K_I")
                and column != "K_I_error"]
     yield chart(run, table, columns, "K (stress × √length)",
-                "Stress intensity")
+                "Stress intensity") | bands(run, "K_I_largest")
     yield chart(run, table, ["energy_release_rate"], "force / length",
                 "Energy release rate, both halves")
 
@@ -62,9 +70,12 @@ def mixed_mode_charts(run, name):
     """Charts of K_I, K_II and the growth direction of a tip with two lips."""
     table = run.tables[name]
     kinds = ["K_I", "K_II", "equivalent_intensity"]
+    tip = name[len("crack_tip"):-len(".csv")] if "crack_tip_2.csv" in run.tables else ""
     largest_kind = max(abs(table[column]).max() for column in kinds)
     yield chart(run, table, kinds, "K (stress × √length)", "Stress intensity",
-                noise=ROUNDING * largest_kind)
+                noise=ROUNDING * largest_kind) | bands(run, *(
+                    f"{kind}{tip}" for kind in ("K_I_largest", "K_II_largest",
+                                                "equivalent_intensity")))
     rests = table["equivalent_intensity"] <= ROUNDING * largest_kind
     yield chart(run, table | {"growth_angle": numpy.where(
         rests, 0, table["growth_angle"])}, ["growth_angle"], "degrees from the crack",

@@ -97,6 +97,9 @@ def stress_history(run, probe, wanted=None):
                                    ("-", "-", (0, (5, 2)))):
         axes.plot(history["t"], history[f"s_{name}"], color=colour,
                   linestyle=style, label=f"$s_{{{name}}}$")
+        if not wanted:
+            draw_band(axes, run, f"probe {probe} s", history["t"], history[f"s_{name}"],
+                      colour)
     axes.axhline(0, color=GREY, linewidth=0.7, zorder=1)
     if "opening" in history:
         states = lip_states(history, period)
@@ -106,6 +109,12 @@ def stress_history(run, probe, wanted=None):
     axes.set_ylabel(run.in_units(f"stress at {probe} (stress)"))
     axes.legend(loc="upper left", bbox_to_anchor=(1.0, 1.0))
     return figure
+
+
+def draw_band(axes, run, quantity, t, values, colour):
+    """Draws the error bar of a quantity around a history of the last period."""
+    bar = run.summary.get("bars", {}).get(quantity, {}).get("bar") or 0.
+    axes.fill_between(t, values - bar, values + bar, color=colour, alpha=0.2, linewidth=0)
 
 
 def letters_in_words(count, states):
@@ -134,6 +143,8 @@ def opening_history(run, probe, wanted=None):
         panel.plot(numpy.insert(t, where, contact),
                    numpy.insert(history[name], where, 0), color=colour)
         panel.plot(t, history[name], ".", color=colour, markersize=4)
+        if not wanted:
+            draw_band(panel, run, f"probe {probe} {name}", t, history[name], colour)
         shade_closed(panel, states)
     axes, below = panels
     label_states(axes, states, period)

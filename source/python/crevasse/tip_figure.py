@@ -123,7 +123,8 @@ def along_front(run):
         K, error = (table[column][own].reshape(len(t), len(s))
                     for column in (name, name + "_error"))
         label = run.in_units("K$_{" + name[2:] + "}$ (stress × √length)")
-        draw_lines(axes[0], t, s, K, error, label)
+        bar = run.summary.get("bars", {}).get(f"{name}_largest", {}).get("bar")
+        draw_lines(axes[0], t, s, K, error if bar is None else 0. * K + bar, label)
         draw_map(axes[1], t, s, K, label)
         for panel in axes:
             panel.set_xlabel(run.in_units("s along the front (length)"))

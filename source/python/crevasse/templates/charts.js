@@ -58,6 +58,32 @@ const lipStates = {
   },
 };
 
+// A band of the error bars around each curve in the last period.
+const errorBars = {
+  id: "errorBars",
+  beforeDatasetsDraw(chart) {
+    const { ctx, chartArea, scales } = chart;
+    const { bars, period } = chart.options.plugins.errorBars;
+    ctx.save();
+    ctx.beginPath();
+    ctx.rect(chartArea.left, chartArea.top, chartArea.width, chartArea.height);
+    ctx.clip();
+    ctx.globalAlpha = 0.2;
+    chart.data.datasets.forEach(({ data: all, borderColor }, k) => {
+      if (!bars[k] || !chart.isDatasetVisible(k)) return;
+      const begin = all[all.length - 1].x - 1.000001 * period;
+      const points = all.filter(({ x }) => x >= begin);
+      const edge = (way) => points.map(({ x, y }) => [
+        scales.x.getPixelForValue(x), scales.y.getPixelForValue(y + way * bars[k])]);
+      ctx.beginPath();
+      for (const place of [...edge(1), ...edge(-1).reverse()]) ctx.lineTo(...place);
+      ctx.fillStyle = borderColor;
+      ctx.fill();
+    });
+    ctx.restore();
+  },
+};
+
 function stateAt(t) {
   const found = data.shades.find(([begin, end]) => begin <= t && t <= end);
   return ["lip open", "lip partly closed", "lip closed"][found ? found[2] : 0];
@@ -94,13 +120,14 @@ function drawHistory(spec, canvas) {
   const chart = new Chart(canvas, {
     type: "line",
     data: { datasets: datasetsOf(spec, whole) },
-    plugins: [lipStates],
+    plugins: [lipStates, errorBars],
     options: {
       parsing: false, normalized: true,
       interaction: { mode: "nearest", axis: "x", intersect: false },
       scales: { x: time, y: values },
       plugins: {
         lipStates: { shown: data.lip },
+        errorBars: { bars: spec.bars || [], period: spec.period },
         legend: { display: spec.series.length > 1,
                   labels: { boxWidth: 18, boxHeight: 2 } },
         tooltip: { callbacks: {
