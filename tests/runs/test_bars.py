@@ -145,6 +145,21 @@ def test_between_samples():
         check(error <= entry["bar"] <= 5. * error, f"{entry}, error {error}")
 
 
+def test_force_beside_an_open_tip():
+    """The tip is open while the mouth presses: the force converges as h, not as h^2."""
+    bent = ["Loads/Traction=0; 9.6 - 12*x", "Discretisation/Degree=1"]
+    code, _, error = execute(ELASTIC, "--force", "--output", "results/bent_exact", *overrides(
+        [*bent, *elastic(2, 2, "64, 64")]))
+    check(code == 0, error)
+    exact = crevasse.read("results/bent_exact").summary["extremes"]["contact_force"]
+    for cells in ("8, 8", "16, 16", "32, 32"):
+        found, _ = bars("bent", ELASTIC, [*bent, *elastic(1, 0, cells)])
+        entry = found["contact force"]
+        error = abs(entry["value"] - exact)
+        print(entry, exact, error)
+        check(.5 * error <= entry["bar"] <= 5. * error, f"{entry}, exactly {exact}")
+
+
 def test_refused_companions():
     """A mesh that cannot be coarsened takes a finer one."""
     found, _ = bars("finest", PERIODIC, [
@@ -237,6 +252,7 @@ test_square()
 test_parts()
 test_corner()
 test_between_samples()
+test_force_beside_an_open_tip()
 test_refused_companions()
 test_failing_companion()
 test_resumed()

@@ -11,6 +11,8 @@ import math
 import pathlib
 import shutil
 
+import numpy
+
 from crevasse.advise_runs import Runs
 from crevasse.bars_companions import SAFETY, SMALLEST_RATIO, Choice, factor
 from crevasse.bars_compare import (Histories, difference, largest,
@@ -18,6 +20,7 @@ from crevasse.bars_compare import (Histories, difference, largest,
                                    relative_error_of_tip)
 from crevasse.bars_text import table_of, to_halve
 from crevasse.command import CommandError, Parser, write_file
+from crevasse.quantities import has_two_lips
 from crevasse.results import is_number
 from crevasse.run_reader import Run
 from crevasse.sweep import make_runs
@@ -146,11 +149,24 @@ class Bars:
                 self.changes(other)[0] for other in self.quantities if other.of == "s")))]
         if quantity.of in OF_A_TIP and self.grows(quantity, changes):
             return None, NO_LIMIT + ": it grows as the cells are halved"
-        part = self.choice.mesh_part(quantity.of, changes,
-                                     [mesh.ratio for mesh, _ in self.meshes])
+        kind = quantity.of
+        if kind == "force" and self.choice.has_singular_tip and self.tip_opens():
+            kind = "opening"
+        part = self.choice.mesh_part(kind, changes, [mesh.ratio for mesh, _ in self.meshes])
         of_sliding = SLIDING * mode_two_of_closed_tip(quantity, self.mine)
         of_run = relative_error_of_tip(quantity, self.mine) if len(changes) == 1 else 0.
         return max(part, SAFETY * min(abs(value), of_sliding), of_run * abs(value)), ""
+
+    def tip_opens(self):
+        """Whether lips press somewhere while a tip has a singular stress: that of two lips,
+        which slide, or of a tip that opens before the rest of the lip. The contact force
+        then has the error of an opening."""
+        lip, tips = self.own.tables.get("lip.csv"), self.tips()
+        if has_two_lips(self.scene) or lip is None or not tips:
+            return has_two_lips(self.scene)
+        nearest = numpy.min([numpy.hypot(lip["x"] - x, lip["y"] - y) for x, y in tips], axis=0)
+        closed = lip["closed_part"]
+        return closed[nearest <= nearest.min()].max() < .99 * closed.max()
 
     def grows(self, quantity, changes):
         """Whether a stress grows from mesh to mesh, by more than rounding."""

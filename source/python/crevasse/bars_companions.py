@@ -7,7 +7,7 @@ cells, or with other steps, and the factor by which a difference becomes an erro
 import dataclasses
 import math
 
-from crevasse.quantities import has_lip, has_two_lips
+from crevasse.quantities import has_lip
 
 ORDERS = {"euler": 1.}  # of time schemes; all others have 2 or more
 SMALLEST_RATIO = 1.2  # of the sizes of cells, that a difference says something
@@ -56,13 +56,13 @@ class Choice:
         converges as h^3. Stress and pressure at points, and bodies without a tip, are
         limited by the ends of the contact zone: h^(3/2). The contact force is a
         product of energies, as is the instant at which a lip closes, and as ends move
-        by cells it converges as h^2; a closed half has no singular tip, two lips do."""
+        by cells it converges as h^2."""
         degree = self.number("Discretisation/Degree")
         if self.is_adaptive:
             return 2. * degree
         if self.functions:
             return min(degree + (kind not in LOCAL), 2. if kind in OF_CONTACT else 3.)
-        if kind == "force" and not has_two_lips(self.scene):
+        if kind == "force":
             return 2.
         return 1.5 if kind in LOCAL or not self.has_singular_tip else 1.
 
