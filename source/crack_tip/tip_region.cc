@@ -123,7 +123,8 @@ namespace Crevasse
         (wish > 0. && wish < cell_radius * (1. - rounding)))
       throw SceneError(Text::format(
         "[Crack tip] Radius = %g: must be at most %g, where another boundary "
-        "or another material begins, and at least %g, where the cells at the "
+        "(or for C(t) another material) begins, and at least %g, where the "
+        "cells at the "
         "tip end; or 0.",
         wish,
         most,

@@ -2,6 +2,7 @@
 // Copyright (C) 2026 by the Crevasse authors
 
 #include <crevasse/base/problems.h>
+#include <crevasse/crack_tip/known_fields.h>
 #include <crevasse/postprocess/stress_intensity.h>
 
 namespace Crevasse
@@ -58,10 +59,7 @@ namespace Crevasse
     , first_elasticity(find_elasticity(0.))
     , uniform(find_uniform_radii(steps))
     , why_no_integral(find_no_integral(steps))
-    , square(region.square(scene.crack_tip.radius,
-                           scene.crack_tip.radius == 0. && uniform.creep > 0.
-                             ? uniform.creep
-                             : largest_radius()))
+    , square(choose_square())
   {
     for (const double t :
          instants_of_variation(body.material.stiffness_varies, steps))
@@ -85,9 +83,9 @@ namespace Crevasse
                                           ? first_elasticity.kappa()
                                           : 0.});
           };
-          integrals.emplace_back(over_square(square, 2),
+          integrals.emplace_back(over_square(square.size, 2),
                                  over_square(std::max(region.aligned_radius(
-                                                        0.5 * square),
+                                                        0.5 * square.size),
                                                       region.cell_radius),
                                              3));
         }
@@ -200,6 +198,41 @@ namespace Crevasse
 
 
 
+  StressIntensity::Square
+  StressIntensity::choose_square() const
+  {
+    const KnownFields fields(body, region);
+    const auto        over = [&](const double size) {
+      return Square{size,
+                    fields.error_of(InteractionIntegral(body,
+                                                        points,
+                                                        region,
+                                                        CrackMode::opening,
+                                                        scene.loads,
+                                                        {size, size, false}))};
+    };
+    constexpr double least = 0.25;
+    const double     end   = region.largest_radius();
+    if (scene.crack_tip.radius > 0. || !why_no_integral.empty())
+      return over(region.square(scene.crack_tip.radius, end));
+    // Viscous strain does not enter where creep is uniform.
+    const double most = uniform.creep >= least * end ? uniform.creep : end;
+    Square       best = over(region.aligned_radius(most));
+    double       last = best.size;
+    for (double part = 1.; part >= least; part *= std::sqrt(0.5))
+      if (const double size = region.aligned_radius(part * most);
+          size < 0.99 * last && size >= region.cell_radius)
+        {
+          const Square next = over(last = size);
+          // Smaller squares see more of the errors outside of them.
+          if (next.error / next.size < best.error / best.size)
+            best = next;
+        }
+    return best;
+  }
+
+
+
   double
   StressIntensity::creep_square(const double       size,
                                 const unsigned int cells) const
@@ -228,7 +261,7 @@ namespace Crevasse
     const double least =
       2. * WilliamsFit::least_radius(points, region, body.space.communicator());
     constexpr double part = 0.5;
-    return std::min(largest_radius(),
+    return std::min(uniform_radius(),
                     std::max({least,
                               2. * region.cell_radius,
                               is_disturbed() ? 0. : part * uniform.creep}));

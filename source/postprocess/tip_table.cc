@@ -71,7 +71,8 @@ namespace Crevasse
     , title("  crack tip" +
             (place.two_lips ? ' ' + Text::from_point(place.position) : "") +
             ": ")
-    , relative_error(analysis.relative_energy_error(error_squares))
+    , relative_error(std::max(analysis.relative_energy_error(error_squares),
+                              analysis.intensity.error_of_known_fields()))
     , table(std::move(table))
   {
   }
@@ -279,7 +280,7 @@ namespace Crevasse
     const double usual =
       std::sqrt(analysis.body.law.stiffness_factor(0.) *
                 analysis.intensity.elasticity(0.).modulus() * density *
-                analysis.intensity.largest_radius());
+                analysis.intensity.region.largest_radius());
     const double size  = largest([](const TipValues &v) {
       return std::hypot(v.intensity[0], v.intensity[1]);
     });

@@ -71,7 +71,8 @@ namespace Crevasse
                      Log               &log) const;
 
     /** Relative error of the elastic energy by the mesh, in the cells around
-     * the tip that touch no other material. Collective.
+     * the tip; with singular functions in those that touch no other material.
+     * Collective.
      * @param squares elastic_error_squares() */
     double
     relative_energy_error(const dealii::Vector<float> &squares) const;

@@ -87,19 +87,27 @@ namespace Crevasse
                                             : first_elasticity;
     }
 
-    /** Distance of the tip to another boundary or another stiffness. */
+    /** Distance of the tip to another boundary or, unless the stiffness varies
+     * from the tip on, another stiffness. */
     double
-    largest_radius() const
+    uniform_radius() const
     {
       return uniform.stiffness > 0. ? uniform.stiffness
                                     : region.largest_radius();
+    }
+
+    /** Relative error of K that the mesh leaves for fields of known K. */
+    double
+    error_of_known_fields() const
+    {
+      return square.error;
     }
 
     /** Size of the square, or of the largest disc of the fit. */
     double
     radius() const
     {
-      return integrals.empty() ? fit_radius : square;
+      return integrals.empty() ? fit_radius : square.size;
     }
 
     const Scene                               &scene;
@@ -118,6 +126,13 @@ namespace Crevasse
       double creep;
     };
 
+    /** A square of half the side @p size, and the error of the integral over it
+     * for fields of known K. */
+    struct Square
+    {
+      double size, error;
+    };
+
     /** Integrals over the larger and the smaller square. */
     using Integrals = std::pair<InteractionIntegral, InteractionIntegral>;
 
@@ -131,6 +146,11 @@ namespace Crevasse
      * @throw SceneError if Method requests it where it is not valid. */
     std::string
     find_no_integral(const StepList &steps) const;
+
+    /** The square of the scene or, among several, that with the least error for
+     * fields of known K. */
+    Square
+    choose_square() const;
 
     /** InteractionIntegral::Squares::creep, at least so many cells. */
     double
@@ -159,7 +179,7 @@ namespace Crevasse
     const std::string why_no_integral;
 
   private:
-    const double              square;    ///< half side of larger square
+    const Square              square;    ///< larger square
     std::vector<Integrals>    integrals; ///< integrals for each mode
     double                    fit_radius = 0.;
     std::optional<NestedFits> fits; ///< fits for one lip in the plane
