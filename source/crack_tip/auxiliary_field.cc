@@ -15,34 +15,32 @@ namespace Crevasse
   {
     using Complex = BuecknerField::Complex;
 
-    /** Converts a symmetric tensor in the coordinates of the tip to a vector in
-     * the coordinates of the mesh. */
-    VoigtVector<2>
-    to_mesh(const CrackTip              &tip,
-            const std::array<double, 3> &t, // 11, 22, 12
-            const double                 of_shear)
-    {
-      const Tensor<2, 2> turn = tip.to_local();
-      Tensor<2, 2>       local;
-      local[0][0] = t[0];
-      local[1][1] = t[1];
-      local[0][1] = local[1][0] = t[2];
-      const Tensor<2, 2> tensor = transpose(turn) * local * turn;
-      VoigtVector<2>     vector;
-      vector[0] = tensor[0][0];
-      vector[1] = tensor[1][1];
-      vector[3] = of_shear * tensor[0][1];
-      return vector;
-    }
-
-
-
     Tensor<1, 2>
     to_mesh(const CrackTip &tip, const Complex &u)
     {
       return tip.global(Tensor<1, 2>({u.real(), u.imag()}));
     }
   } // namespace
+
+
+
+  VoigtVector<2>
+  to_mesh(const CrackTip              &tip,
+          const std::array<double, 3> &t,
+          const double                 of_shear)
+  {
+    const Tensor<2, 2> turn = tip.to_local();
+    Tensor<2, 2>       local;
+    local[0][0] = t[0];
+    local[1][1] = t[1];
+    local[0][1] = local[1][0] = t[2];
+    const Tensor<2, 2> tensor = transpose(turn) * local * turn;
+    VoigtVector<2>     vector;
+    vector[0] = tensor[0][0];
+    vector[1] = tensor[1][1];
+    vector[3] = of_shear * tensor[0][1];
+    return vector;
+  }
 
 
 

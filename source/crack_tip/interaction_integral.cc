@@ -89,6 +89,7 @@ namespace Crevasse
     , region(region)
     , mode(mode)
     , kappa_of_ring(squares.kappa_of_ring)
+    , anisotropic(squares.anisotropic)
     , loads(loads)
     , body_force(components_in_volume(loads))
     , of_contact_forces(
@@ -109,6 +110,8 @@ namespace Crevasse
   InteractionIntegral::field_at(const Point<2>     &local,
                                 const SquareWeight &weight) const
   {
+    if (anisotropic != nullptr)
+      return anisotropic->auxiliary(region.tip, mode, local, weight);
     if (kappa_of_ring == 0.)
       return AuxiliaryField(region.tip, mode, local, weight);
     const double      nu = (3. - kappa_of_ring) / 4.;
@@ -326,7 +329,7 @@ namespace Crevasse
   InteractionIntegral::value(const double            t,
                              const Sample           &sample,
                              const MaterialState<2> &material,
-                             const PlaneElasticity  &at_tip) const
+                             const TipElasticity    &at_tip) const
   {
     const double of_uniform = of_uniform_body(sample.state.stress,
                                               sample.state.contact_forces,
@@ -344,7 +347,7 @@ namespace Crevasse
   double
   InteractionIntegral::of_variation(const Sample           &sample,
                                     const MaterialState<2> &material,
-                                    const PlaneElasticity  &at_tip,
+                                    const TipElasticity    &at_tip,
                                     const bool              creeps) const
   {
     using Field                  = QuadratureField<2>;
@@ -362,9 +365,10 @@ namespace Crevasse
         const std::size_t      offset = kernel.point * Field::n_components;
         const VoigtVector<2>   s      = Field::get(sample.state.stress, offset);
         const PlaneCompliance &law    = laws[kernel.point];
-        const VoigtVector<2>   of_tip =
-          kappa_of_ring > 0. ? at_tip.strain_with_hoops(s) : at_tip.strain(s);
-        VoigtVector<2> strain = (law.of_stress * s - of_tip) / k;
+        const VoigtVector<2>   of_tip = kappa_of_ring > 0.
+                                          ? at_tip.isotropic.strain_with_hoops(s)
+                                          : at_tip.strain(s);
+        VoigtVector<2>         strain = (law.of_stress * s - of_tip) / k;
         if (material.thermal_strain != nullptr)
           strain += law.free_strain((*material.thermal_strain)[kernel.point]);
         sum += kernel.field.of_strain * strain;

@@ -6,7 +6,6 @@
 #include <crevasse/crack_tip/tip_region.h>
 #include <crevasse/discretisation/cell_values.h>
 #include <crevasse/discretisation/rigid_modes.h>
-#include <crevasse/material/plane_elasticity.h>
 
 #include <algorithm>
 
@@ -104,8 +103,6 @@ namespace Crevasse
       Utilities::MPI::broadcast(communicator,
                                 at_tip.value_or(VoigtMatrix<2>()),
                                 root);
-    if (!PlaneElasticity::is_isotropic(own))
-      return {own, 0.};
     double radius = end;
     for (std::size_t p = 0; p < points.cell.size(); ++p)
       if ((matrices[p] - own).norm() > rounding * own.norm())

@@ -55,7 +55,8 @@ namespace Crevasse
 
 
     /** Singular functions of [Discretisation]. Collective. @throw SceneError as
-     * elasticity_at() does, or if the straight part of a crack is too short. */
+     * stiffness_at() does, or if the stiffness at a tip is anisotropic or the
+     * straight part of a crack too short. */
     template <int dim>
     SingularFunctions
     tip_functions(const Scene            &scene,
@@ -87,12 +88,18 @@ namespace Crevasse
                                    ". Make the cells smaller ([Geometry] "
                                    "Refinements or [Refinement] Strategy = "
                                    "tip), or set Singular functions = 0.");
+                const VoigtMatrix<2> stiffness =
+                  stiffness_at(tip, mesh, law, temperature, 0., wanted_by);
+                if (!PlaneElasticity::is_isotropic(stiffness))
+                  throw SceneError(wanted_by +
+                                   ": the stiffness at the crack "
+                                   "tip " +
+                                   Text::from_point(tip.position) +
+                                   " is not isotropic, but singular functions "
+                                   "are those of isotropic bodies. Set it to "
+                                   "0.");
                 const SingularFunctions of_tip = make_singular_functions(
-                  n,
-                  tip,
-                  elasticity_at(tip, mesh, law, temperature, 0., wanted_by),
-                  size,
-                  radius);
+                  n, tip, PlaneElasticity(stiffness), size, radius);
                 functions.insert(functions.end(), of_tip.begin(), of_tip.end());
               }
           }
@@ -308,26 +315,21 @@ namespace Crevasse
 
 
 
-  PlaneElasticity
-  elasticity_at(const CrackTip         &tip,
-                const Triangulation<2> &mesh,
-                const MaxwellLaw<2>    &law,
-                const Temperature<2>   &temperature,
-                const double            t,
-                const std::string      &wanted_by)
+  VoigtMatrix<2>
+  stiffness_at(const CrackTip         &tip,
+               const Triangulation<2> &mesh,
+               const MaxwellLaw<2>    &law,
+               const Temperature<2>   &temperature,
+               const double            t,
+               const std::string      &wanted_by)
   {
-    const std::string where = wanted_by + ": the stiffness at the crack tip " +
-                              Text::from_point(tip.position);
     const auto stiffness = limit_at(tip, mesh, law.stiffness, temperature, t);
     if (!stiffness)
-      throw SceneError(where +
+      throw SceneError(wanted_by + ": the stiffness at the crack tip " +
+                       Text::from_point(tip.position) +
                        " is not the same on all sides of it: a crack between "
                        "two materials has other fields.");
-    if (!PlaneElasticity::is_isotropic(*stiffness))
-      throw SceneError(where +
-                       " is not isotropic, but this program knows the fields "
-                       "around a tip for isotropic bodies only.");
-    return PlaneElasticity(*stiffness);
+    return *stiffness;
   }
 
 

@@ -59,7 +59,8 @@ namespace Crevasse
     const MaterialState<2> material = body.material.at(0.);
     viscosity.emplace(body, material);
     viscous_region = intensity.region.uniform(intensity.points, viscosity->sum);
-    return viscous_region->radius > 0.
+    return viscous_region->radius > 0. &&
+               PlaneElasticity::is_isotropic(viscous_region->matrix)
              ? ""
              : "the viscosity is anisotropic, or not the same in all cells at "
                "the crack tip";

@@ -71,17 +71,18 @@ namespace Crevasse
           // the integrals shows the error of these cells.
           const auto over_square = [&](const double       size,
                                        const unsigned int cells) {
-            return InteractionIntegral(body,
-                                       points,
-                                       region,
-                                       mode,
-                                       scene.loads,
-                                       {size,
-                                        creep_square(size, cells),
-                                        uniform.creep == 0.,
-                                        body.space.roles.has_axis
-                                          ? first_elasticity.kappa()
-                                          : 0.});
+            return InteractionIntegral(
+              body,
+              points,
+              region,
+              mode,
+              scene.loads,
+              {size,
+               creep_square(size, cells),
+               uniform.creep == 0.,
+               body.space.roles.has_axis ? first_elasticity.kappa() : 0.,
+               first_elasticity.anisotropic ? &*first_elasticity.anisotropic
+                                            : nullptr});
           };
           integrals.emplace_back(over_square(square.size, 2),
                                  over_square(std::max(region.aligned_radius(
@@ -89,8 +90,7 @@ namespace Crevasse
                                                       region.cell_radius),
                                              3));
         }
-    if (tip.two_lips || body.space.roles.has_axis ||
-        body.space.roles.has_loaded_lip())
+    if (!can_fit())
       return;
     fit_radius = choose_fit_radius();
     fits.emplace(
@@ -99,24 +99,43 @@ namespace Crevasse
 
 
 
-  PlaneElasticity
+  TipElasticity
   StressIntensity::find_elasticity(const double t) const
   {
-    const PlaneElasticity now = elasticity_at(region.tip,
-                                              body.space.mesh(),
-                                              body.law,
-                                              body.temperature,
-                                              t,
-                                              setting(scene));
-    if (body.space.roles.has_axis && t > 0. &&
-        std::abs(now.kappa() - first_elasticity.kappa()) > 1e-8)
-      throw SceneError(
-        setting(scene) +
-        ": with [Material] Plane state = axisymmetric Poisson's ratio at the "
-        "crack tip " +
-        Text::from_point(region.tip.position) +
-        " must not vary in time; it does at t = " + Text::from_number(t) +
-        ". Set Stress intensity = false.");
+    const VoigtMatrix<2> stiffness = stiffness_at(region.tip,
+                                                  body.space.mesh(),
+                                                  body.law,
+                                                  body.temperature,
+                                                  t,
+                                                  setting(scene));
+    const TipElasticity  now(stiffness, region.tip);
+    const auto           refuse = [&](const std::string &what) {
+      throw SceneError(setting(scene) + ": at the crack tip " +
+                       Text::from_point(region.tip.position) + ' ' + what +
+                       ". Set Stress intensity = false.");
+    };
+    if (now.anisotropic && body.space.roles.has_axis)
+      refuse(
+        "the stiffness is not isotropic: the fields around the tip of a "
+        "ring are known for isotropic bodies only");
+    if (now.anisotropic && !region.tip.two_lips &&
+        !now.anisotropic->is_symmetric())
+      refuse(
+        "the stiffness is not symmetric about the line of the crack, so "
+        "that this line is no plane of symmetry. Model both lips");
+    const bool is_other =
+      now.anisotropic || first_elasticity.anisotropic
+        ? (now.stiffness - first_elasticity.stiffness).norm() >
+            1e-8 * now.stiffness.norm()
+        : body.space.roles.has_axis &&
+            std::abs(now.kappa() - first_elasticity.kappa()) > 1e-8;
+    if (t > 0. && is_other)
+      refuse((now.anisotropic
+                ? "the stiffness, which is not isotropic"
+                : "Poisson's ratio, with [Material] Plane state = "
+                  "axisymmetric") +
+             std::string(", must not vary in time, and does at t = ") +
+             Text::from_number(t));
     return now;
   }
 
@@ -137,14 +156,12 @@ namespace Crevasse
           std::min(radii.stiffness,
                    region.uniform(points, *material.stiffness).radius);
         for (const auto &fluidity : material.fluidity)
-          radii.creep =
-            std::min(radii.creep,
-                     region
-                       .uniform(points,
-                                transform(*fluidity,
-                                          points.location.size(),
-                                          PlaneElasticity::like_stiffness))
-                       .radius);
+          {
+            const auto [matrix, radius] = region.uniform(points, *fluidity);
+            radii.creep =
+              std::min(radii.creep,
+                       first_elasticity.leaves_stress(matrix) ? radius : 0.);
+          }
       }
     radii.creep = std::min(radii.creep, radii.stiffness);
     return radii;
@@ -155,16 +172,14 @@ namespace Crevasse
   std::string
   StressIntensity::find_no_integral(const StepList &steps) const
   {
-    using Method                     = StressIntensityMethod;
-    const Method      wish           = scene.crack_tip.method;
-    const std::string setting        = "[Crack tip] Method = " + name_of(wish);
-    const bool        must_integrate = // the fit: one lip, plane, unloaded
-      wish == Method::interaction_integral || region.tip.two_lips ||
-      body.space.roles.has_axis || body.space.roles.has_loaded_lip();
-    if (wish == Method::williams_fit && region.tip.two_lips)
+    using Method              = StressIntensityMethod;
+    const Method      wish    = scene.crack_tip.method;
+    const std::string setting = "[Crack tip] Method = " + name_of(wish);
+    if (wish == Method::williams_fit &&
+        (region.tip.two_lips || first_elasticity.anisotropic))
       throw SceneError(setting +
-                       ": is for cracks with one lip, on a plane of "
-                       "symmetry. Set it to automatic.");
+                       ": is for cracks with one lip, on a plane of symmetry, "
+                       "in isotropic bodies. Set it to automatic.");
     if (body.space.roles.has_axis)
       require_ring(region.tip, StressIntensity::setting(scene));
     if (wish == Method::williams_fit)
@@ -178,19 +193,20 @@ namespace Crevasse
                                       branch.fluidity,
                                       body.temperature,
                                       t);
-          if (limit && PlaneElasticity::is_isotropic(
-                         PlaneElasticity::like_stiffness(*limit)))
+          if (limit && first_elasticity.leaves_stress(*limit))
             continue;
           const std::string why =
-            "the viscosity at the crack tip is anisotropic in the plane, or "
-            "differs between its sides";
-          if (must_integrate)
-            throw SceneError(
-              setting + ": " + why +
-              ", so that the field there is not known. " +
-              (region.tip.two_lips || body.space.roles.has_loaded_lip()
-                 ? "Set [Crack tip] Stress intensity = false."
-                 : "Set it to automatic or williams fit."));
+            first_elasticity.anisotropic
+              ? "the stiffness at the crack tip is anisotropic and the "
+                "viscosity not proportional to it"
+              : "the viscosity at the crack tip is anisotropic in the plane, "
+                "or differs between its sides";
+          if (wish == Method::interaction_integral || !can_fit())
+            throw SceneError(setting + ": " + why +
+                             ", so that the field there is not known. " +
+                             (can_fit()
+                                ? "Set it to automatic or williams fit."
+                                : "Set [Crack tip] Stress intensity = false."));
           return why;
         }
     return "";
@@ -273,7 +289,7 @@ namespace Crevasse
   StressIntensity::evaluate(const double            t,
                             const Sample           &sample,
                             const MaterialState<2> &material,
-                            const PlaneElasticity  &at_tip) const
+                            const TipElasticity    &at_tip) const
   {
     Estimate     all{};
     const double open = open_length(body.lip, region.tip, sample.state);

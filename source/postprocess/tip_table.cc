@@ -107,7 +107,7 @@ namespace Crevasse
   {
     const double           t = context.steps.within_period(sample.instant);
     const MaterialState<2> material = analysis.body.material.at(t);
-    const PlaneElasticity  at_tip   = analysis.intensity.elasticity(t);
+    const TipElasticity    at_tip   = analysis.intensity.elasticity(t);
     const auto             estimate =
       analysis.intensity.evaluate(t, sample, material, at_tip);
     const auto  &K    = estimate.intensity;
@@ -135,19 +135,19 @@ namespace Crevasse
                                std::min(most * values.error[0],
                                         std::abs(K[0] - values.of_stress)));
     values.release_rate =
-      size * size / (material.stiffness_factor * at_tip.modulus());
+      at_tip.release_rate(K[0], K[1]) / material.stiffness_factor;
     values.energy     = analysis.energy.value(material,
                                           sample.state.stress,
                                           sample.viscous_strain);
     values.equivalent = K[0];
     if (place.two_lips)
       {
-        constexpr double      degrees = 180. / numbers::PI;
-        const GrowthDirection growth(K[0], K[1]);
-        values.growth_angle = degrees * growth.angle;
+        // Directions are known for isotropic bodies.
+        const double degrees = at_tip.anisotropic ? NAN : 180. / numbers::PI;
+        values.growth_angle  = degrees * GrowthDirection(K[0], K[1]).angle;
         values.angle_of_release =
           degrees * angle_of_largest_release(K[0], K[1]);
-        values.equivalent = growth.intensity;
+        values.equivalent = at_tip.equivalent(K[0], K[1]);
       }
     return values;
   }

@@ -720,8 +720,6 @@ REFUSED = [
     ("no crack", ["Geometry/Shape=rectangle"], "no crack tip"),
     ("interface", ["Material/Young modulus=if(x < 0.5, 13000, 26000)"],
      "the same on all sides"),
-    ("anisotropic", ["Material/Stiffness matrix=13000, 3000, 0; "
-                     "3000, 26000, 0; 0, 0, 5000"], "not isotropic"),
     ("force at the tip", ["Loads/Traction=1; 10"], "push the body along"),
     ("radius", ["Crack tip/Radius=0.6"], "must be at most 0.5"),
     ("small radius", ["Crack tip/Radius=0.01"], "at least 0.07"),

@@ -82,6 +82,14 @@ namespace Crevasse
     std::array<dealii::Tensor<1, 2>, 2> of_force;  ///< factor E' w of force
     VoigtVector<2>                      of_strain; ///< factor τ of strain
   };
+
+  /** Converts a symmetric tensor (11, 22, 12) in the coordinates of the tip to
+   * a vector in the coordinates of the mesh.
+   * @param of_shear factor of the component 12. */
+  VoigtVector<2>
+  to_mesh(const CrackTip              &tip,
+          const std::array<double, 3> &tensor,
+          const double                 of_shear);
 } // namespace Crevasse
 
 #endif

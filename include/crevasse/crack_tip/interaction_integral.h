@@ -6,8 +6,8 @@
 
 #include <crevasse/crack_tip/auxiliary_field.h>
 #include <crevasse/crack_tip/lip_integral.h>
+#include <crevasse/crack_tip/tip_elasticity.h>
 #include <crevasse/crack_tip/tip_region.h>
-#include <crevasse/material/plane_elasticity.h>
 #include <crevasse/model/body.h>
 #include <crevasse/time/observer.h>
 
@@ -51,6 +51,8 @@ namespace Crevasse
    * divided by the radius of the front. N then depends on κ in another way, so
    * a single κ is supported.
    *
+   * In an anisotropic body the fields are those of AnisotropicTip, without E'.
+   *
    * The weight q is SquareWeight in the square |X| ≤ R, 0 ≤ Y ≤ R, or
    * |Y| ≤ R. In cells of the usual rule N and τ are projected to the
    * polynomials through its points, so that a polynomial stress is integrated
@@ -70,6 +72,8 @@ namespace Crevasse
       bool extrapolates;
       /** κ at the tip of a body of revolution; otherwise 0. */
       double kappa_of_ring = 0.;
+      /** Elasticity at a tip in an anisotropic body; otherwise null. */
+      const AnisotropicTip *anisotropic = nullptr;
     };
 
     /** Collective. The arguments must outlive the InteractionIntegral. */
@@ -88,7 +92,7 @@ namespace Crevasse
     value(const double            t,
           const Sample           &sample,
           const MaterialState<2> &material,
-          const PlaneElasticity  &at_tip) const;
+          const TipElasticity    &at_tip) const;
 
     /** K = ∫ s:N dA + ∫_lip … for a homogeneous body without free strain or
      * body force in the square: elastic, or viscous with the stress of a flow.
@@ -145,7 +149,7 @@ namespace Crevasse
     double
     of_variation(const Sample           &sample,
                  const MaterialState<2> &material,
-                 const PlaneElasticity  &at_tip,
+                 const TipElasticity    &at_tip,
                  const bool              creeps) const;
 
     const Body<2>                                   &body;
@@ -153,6 +157,7 @@ namespace Crevasse
     const TipRegion                                 &region;
     const CrackMode                                  mode;
     const double                                     kappa_of_ring;
+    const AnisotropicTip *const                      anisotropic;
     const LoadParameters                            &loads;
     std::vector<std::pair<unsigned int, Expression>> body_force;
     std::vector<std::pair<LipPoint, AuxiliaryField>> loaded; ///< on lips

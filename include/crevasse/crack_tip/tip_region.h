@@ -59,7 +59,7 @@ namespace Crevasse
 
     /** A stiffness or viscosity in the cells at the tip, and the size of the
      * square in which it is uniform, at most largest_radius(); 0 if it varies
-     * in these cells or is not isotropic in the plane. */
+     * in these cells. */
     struct Uniform
     {
       VoigtMatrix<2> matrix;

@@ -76,15 +76,15 @@ namespace Crevasse
            const Temperature<2>           &temperature,
            const double                    t);
 
-  /** Elasticity at a tip at an instant, without the factor k.
-   * @throw SceneError if it is not isotropic, or has no limit there. */
-  PlaneElasticity
-  elasticity_at(const CrackTip                 &tip,
-                const dealii::Triangulation<2> &mesh,
-                const MaxwellLaw<2>            &law,
-                const Temperature<2>           &temperature,
-                const double                    t,
-                const std::string              &wanted_by);
+  /** Stiffness at a tip at an instant, without the factor k.
+   * @throw SceneError if it has no limit there. */
+  VoigtMatrix<2>
+  stiffness_at(const CrackTip                 &tip,
+               const dealii::Triangulation<2> &mesh,
+               const MaxwellLaw<2>            &law,
+               const Temperature<2>           &temperature,
+               const double                    t,
+               const std::string              &wanted_by);
 
   /** Bounds of the discrete cone C: at the nodes of a lip, in their order, and
    * then the bound of the singular function that opens the lip. Its coefficient

@@ -57,7 +57,7 @@ namespace Crevasse
     evaluate(const double            t,
              const Sample           &sample,
              const MaterialState<2> &material,
-             const PlaneElasticity  &at_tip) const;
+             const TipElasticity    &at_tip) const;
 
     /** The modes that are computed. */
     std::vector<CrackMode>
@@ -80,7 +80,7 @@ namespace Crevasse
     /** Elasticity of the law at the tip at an instant within the period,
      * without the factor k. @throw SceneError if K is not known with it; never
      * at instants of the first period's steps. */
-    PlaneElasticity
+    TipElasticity
     elasticity(const double t) const
     {
       return body.material.stiffness_varies ? find_elasticity(t)
@@ -136,7 +136,7 @@ namespace Crevasse
     /** Integrals over the larger and the smaller square. */
     using Integrals = std::pair<InteractionIntegral, InteractionIntegral>;
 
-    PlaneElasticity
+    TipElasticity
     find_elasticity(const double t) const;
 
     UniformRadii
@@ -168,11 +168,20 @@ namespace Crevasse
              Effects::first_on(body.effects.volume_forces) != nullptr;
     }
 
+    /** Whether the fit serves: for one unloaded lip in the plane. */
+    bool
+    can_fit() const
+    {
+      return !region.tip.two_lips && !body.space.roles.has_axis &&
+             !first_elasticity.anisotropic &&
+             !body.space.roles.has_loaded_lip();
+    }
+
     double
     choose_fit_radius() const;
 
-    const PlaneElasticity first_elasticity; ///< elasticity at t = 0
-    const UniformRadii    uniform;
+    const TipElasticity first_elasticity; ///< elasticity at t = 0
+    const UniformRadii  uniform;
 
   public:
     /** Reason for the fit; empty if the integral is used. */

@@ -35,7 +35,7 @@ namespace Crevasse
     double                release_rate;
     double                energy;       ///< strain energy of the body
     double                growth_angle; ///< growth direction in degrees
-    /** K_I or, for two lips, GrowthDirection::intensity. */
+    /** K_I or, for two lips, TipElasticity::equivalent(). */
     double equivalent;
     double t_stress;
     double angle_of_release; ///< direction of largest G in degrees
@@ -180,7 +180,8 @@ namespace Crevasse
     {
       const auto [left, right] =
         range([](const TipValues &v) { return v.intensity[1]; });
-      return GrowthDirection(of_opening, right - left).intensity;
+      return analysis.intensity.elasticity(0.).equivalent(of_opening,
+                                                          right - left);
     }
 
     /** What growth depends on in the last period, except C(t). */
