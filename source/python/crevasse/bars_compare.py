@@ -106,11 +106,12 @@ def mode_two_of_closed_tip(quantity, run):
 
 
 def relative_error_of_tip(quantity, run):
-    """The error of K that the run itself estimates; 0 for other quantities."""
+    """The error of K that the run itself estimates, of both modes; 0 for others."""
     tip = table_of_tip(quantity, run) if "K" in quantity.of else None
-    if not tip or not (size := abs(tip.columns["K_I"]).max()):
+    if not tip:
         return 0.
-    return tip.columns["K_I_error"].max() / size
+    size = numpy.hypot(tip.columns["K_I"], tip.columns.get("K_II", 0.)).max()
+    return tip.columns["K_I_error"].max() / size if size else 0.
 
 
 def table_of_tip(quantity, run):
