@@ -56,7 +56,7 @@ _crevasse()
       _crevasse_add -d -- "$word" ;;
     --print-parameters)
       _crevasse_add -W "prm json markdown schema" -- "$word" ;;
-    --wall-time | --exact | --error | --jobs | --from | --to | --lengths) ;;
+    --wall-time | --accuracy | --for | --exact | --error | --jobs | --from | --to | --lengths) ;;
     *)
       if [[ $word == -* ]]; then
         _crevasse_complete_option "$program" "${COMP_WORDS[1]/#-*/--help}" "$word"

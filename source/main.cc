@@ -58,6 +58,8 @@ main(int argc, char **argv)
     return status;
   if (!command.print_format.empty())
     return show_parameters(command);
+  if (command.accuracy > 0.)
+    return repeat_until_accurate(command);
 
   using namespace std::chrono;
   const auto  start = steady_clock::now();

@@ -20,6 +20,7 @@ namespace Crevasse
     constexpr const char *examples_and_statuses = R"(Examples:
   crevasse prm/raous1980.prm --set "Geometry/Crack length=0.3" --output results/short_crack
   crevasse prm/raous1980.prm --bars
+  crevasse prm/raous1980.prm --accuracy 1e-3
   crevasse advise prm/raous1980.prm --error 1e-3
   crevasse report results/raous1980
   crevasse sweep --help
@@ -153,6 +154,30 @@ doc/getting_started.md tells more.
           "Give the results error bars, by companion runs; --no-bars: not, "
           "whatever [Output] Error bars is")
         ->excludes("--check");
+      app
+        .add_option_function<std::string>(
+          "--accuracy",
+          [&command](const std::string &text) {
+            command.accuracy = Text::to_number(text).value_or(0.);
+            if (!(command.accuracy >= 1e-8 && command.accuracy < 1.))
+              throw CLI::ValidationError("--accuracy",
+                                         "\"" + Text::shorten(text) +
+                                           "\" must be a number of at least "
+                                           "1e-8 and less than 1, such as "
+                                           "1e-3.");
+          },
+          "Repeat the scene on finer meshes and with shorter steps until the "
+          "error bar of K_I, or else of the opening, is at most this part of "
+          "the value, such as 1e-3")
+        ->type_name("NUMBER")
+        ->excludes("--check", "--resume", "--bars");
+      app
+        .add_option("--for",
+                    command.quantities,
+                    "Quantities that --accuracy is for, separated by commas, "
+                    "named as in the table of error bars")
+        ->type_name("LIST")
+        ->needs("--accuracy");
       app
         .add_option(
           "--print-parameters",

@@ -3,6 +3,7 @@
 
 #include <crevasse/app/command_line.h>
 #include <crevasse/app/script_command.h>
+#include <crevasse/base/text.h>
 #include <crevasse/base/version.h>
 #include <crevasse/parameters/mesh_conversion.h>
 
@@ -115,24 +116,55 @@ namespace Crevasse
 
 
 
+  namespace
+  {
+    /** Runs a script command on the scene of a command. */
+    int
+    run_with_scene(std::vector<std::string>    words,
+                   const Command              &command,
+                   const std::optional<double> seconds)
+    {
+      words.push_back(command.scene_file);
+      for (const std::string &assignment : command.overrides)
+        words.insert(words.end(), {"--set", assignment});
+      if (command.quiet)
+        words.emplace_back("--quiet");
+      if (seconds)
+        words.insert(words.end(),
+                     {"--wall-time", std::to_string(std::max(*seconds, 1e-3))});
+      std::cout << std::flush;
+      return run_script_command(words);
+    }
+  } // namespace
+
+
+
   int
   add_bars(const Command              &command,
            const std::string          &directory,
            const std::optional<double> seconds)
   {
+    return run_with_scene({"crevasse", "bars", directory}, command, seconds);
+  }
+
+
+
+  int
+  repeat_until_accurate(const Command &command)
+  {
     std::vector<std::string> words = {"crevasse",
-                                      "bars",
-                                      directory,
-                                      command.scene_file};
-    for (const std::string &assignment : command.overrides)
-      words.insert(words.end(), {"--set", assignment});
-    if (command.quiet)
-      words.emplace_back("--quiet");
-    if (seconds)
-      words.insert(words.end(),
-                   {"--wall-time", std::to_string(std::max(*seconds, 1e-3))});
-    std::cout << std::flush;
-    return run_script_command(words);
+                                      "accuracy",
+                                      "--accuracy",
+                                      Text::from_number(command.accuracy)};
+    if (!command.quantities.empty())
+      words.insert(words.end(), {"--for", command.quantities});
+    if (!command.output_directory.empty())
+      words.insert(words.end(), {"--output", command.output_directory});
+    return run_with_scene(words,
+                          command,
+                          command.wall_time > 0.
+                            ? std::optional<double>(command.wall_time)
+                            : std::nullopt);
   }
 
 

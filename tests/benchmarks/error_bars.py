@@ -291,4 +291,5 @@ def main():
                       f"| {sum(v < .25 for v in values)} | {statistics.median(values):.1f} |")
 
 
-main()
+if __name__ == "__main__":
+    main()

@@ -38,6 +38,8 @@ namespace Crevasse
     bool   stress_record = false; ///< whether to use StressWriter
     bool   trust_mesh    = false; ///< whether a .geo file may do anything
     std::optional<bool> bars;     ///< overrides [Output] Error bars
+    double      accuracy = 0.;    ///< to which to repeat the scene; 0: one run
+    std::string quantities;       ///< that must have the accuracy; or nothing
 
     /** Whether to exit at once: after help, version, or a reported mistake. */
     bool       exit   = false;

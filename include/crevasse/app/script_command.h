@@ -50,6 +50,15 @@ namespace Crevasse
            const std::string    &directory,
            std::optional<double> seconds);
 
+  /**
+   * Replaces this process, before MPI starts, by the script that repeats the
+   * scene until its results have Command::accuracy; with mpirun each process.
+   *
+   * @return the exit status if that is impossible, after a message.
+   */
+  int
+  repeat_until_accurate(const Command &command);
+
   /** Runs a script command in a child process.
    *
    * @param words as those of run_script_command().

@@ -7,7 +7,7 @@ import importlib
 import os
 import sys
 
-NAMES = ("sweep", "advise", "life", "bars", "figures", "report", "temperature",
+NAMES = ("sweep", "advise", "life", "bars", "accuracy", "figures", "report", "temperature",
          "mesh", "picture")
 MODULES = {"life": "life_command"}  # crevasse.life() is a function
 FILE_FAILURE = 4

@@ -182,7 +182,7 @@ def divided(n, times, fraction):
     def has_vertex(k):
         return fraction is None or abs(k * fraction - round(k * fraction)) < 1e-9
 
-    near = [k for k in range(max(1, math.ceil(.7 * n / times)), n)
-            if k <= 1.45 * n / times and (has_vertex(k) or not has_vertex(n))]
+    near = [k for k in range(max(1, math.ceil(.7 * n / times)), int(1.45 * n / times) + 1)
+            if has_vertex(k) or not has_vertex(n)]
     return min(near or [math.ceil(n / times)],
                key=lambda k: (abs(math.log(k * times / n)), -k))
