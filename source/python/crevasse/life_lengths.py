@@ -89,8 +89,8 @@ class Lengths:
     @staticmethod
     def points(low, high, parts):
         """Chebyshev-Lobatto points, ascending."""
-        return (low + high) / 2 - (high - low) / 2 * numpy.cos(
-            numpy.pi * numpy.arange(parts + 1) / parts)
+        return low + (high - low) * (1 - numpy.cos(
+            numpy.pi * numpy.arange(parts + 1) / parts)) / 2
 
     def of_shape(self, options, scene):
         if scene["Geometry/Shape"] not in ("edge crack", "centre crack"):
