@@ -278,8 +278,9 @@ class Life:
     def advice(self, found):
         return ("the meshes are too coarse; refine them." if
                 found.error_of_mesh >= found.error_of_lengths else
-                "there are no more lengths; give more --lengths." if self.options.lengths
-                else "there are no more lengths; allow more by finer Subdivisions.")
+                "there are no more lengths; " + (
+                    "give more values of --vary, with their --lengths." if self.options.vary
+                    else "allow more by finer Subdivisions."))
 
     def describe_transition(self, found, chosen):
         """How much the crack grows until creep is steady, part of the ligament, at the
