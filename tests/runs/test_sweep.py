@@ -124,6 +124,23 @@ def test_columns_and_repeats():
     check(status == 2 and "one at a time" in error, error)
 
 
+def test_bars():
+    """Error bars of each point are in all tables, and hold against a finer run; a sweep
+    without them is computed again."""
+    words = "--vary", "Geometry/Crack length=0.4,0.5", "--set", "Output/Fields=none"
+    sweep("barred", *words, scene=CRACK)
+    rows, output = sweep("barred", *words, "--bars", scene=CRACK)
+    check("already there" not in output, "computed again")
+    fine, _ = sweep("unbarred", *words, "--set", "Geometry/Subdivisions=40, 20",
+                    "--set", STEPS + "=640", scene=CRACK)
+    for row, best in zip(rows, fine):
+        bar, error = float(row["bar:opening"]), abs(
+            float(row["opening"]) / float(best["opening"]) - 1) * float(best["opening"])
+        print(f"opening {row['opening']}, bar {bar:.2g}, error {error:.2g}")
+        check(error / 5 < bar < 20 * error, "bar of the opening")
+    check("bar of opening" in pathlib.Path("results/barred/sweep.md").read_text(), "sweep.md")
+
+
 def test_warnings():
     """Each once, whatever its numbers, with its points, also when all is there; from a
     shell that has closed the standard streams. Brackets keep a formula together."""
@@ -148,8 +165,8 @@ def test_warnings():
                   for text in found), "sweep.md and sweep.json have them")
     check(found[0] == "[Geometry] Crack length = 0.1 is not used: Shape = rectangle",
           "of all points")
-    check(found[-1].startswith("[Time integration]: within a step")
-          and found[-1].endswith(" (4 of 6 points, numbers of the first)"), "of steps")
+    check(found[-2].startswith("[Time integration]: within a step")
+          and found[-2].endswith(" (4 of 6 points, numbers of the first)"), "of steps")
     check("Field times" not in output, "what the sweep itself sets")
 
 
@@ -378,7 +395,7 @@ def test_ranks():
 
 
 for test in (test_order_against_reference, test_order_against_closed_form,
-             test_columns_and_repeats, test_zipped, test_warnings, test_resumption, test_points_without_results,
+             test_columns_and_repeats, test_bars, test_zipped, test_warnings, test_resumption, test_points_without_results,
              test_failing_point, test_no_error, test_numbers_are_no_texts,
              test_periodic_methods,
              test_too_few_instants, test_mistakes, test_ranks):

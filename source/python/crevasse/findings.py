@@ -99,6 +99,13 @@ def read(directory):
     return found
 
 
+def bars(directory):
+    """{column: error bar} of a run; what has no bar is left out."""
+    return {name: entry["bar"] for name, entry in
+            Run(directory).summary.get("bars", {}).items()
+            if is_finding(name) and entry.get("bar") is not None}
+
+
 def tips_of(summary):
     """Entries of the summary by crack tip, or for all crack fronts together."""
     tips = summary.get("crack_tips") or [

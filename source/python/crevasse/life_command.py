@@ -81,6 +81,8 @@ def arguments(words):
                         "body, a .geo file, is meshed anew after each step")
     parser.add_argument("--step", type=length, metavar="LENGTH", help="steps of --path (a "
                         "tenth of the first crack length)")
+    parser.add_argument("--bars", action="store_true", help="take the error of K from "
+                        "error bars, by companion runs at each length")
     parser.add_argument("--trust-mesh", action="store_true", help="let a .geo file start "
                         "programs, and read and write files")
     parser.add_argument("--jobs", type=count, metavar="N", help="number of runs at the "

@@ -156,7 +156,8 @@ class Life:
                     self.keep(member, k, folder, result, " (already there)")
                 else:
                     call = folder.begin(self.program, self.files[member],
-                                        self.settings(member, k), False)
+                                        self.settings(member, k),
+                                        *["--bars"] * self.options.bars)
                     running[call] = member, k, folder
             else:
                 call = self.program.finish(*running)
@@ -171,7 +172,7 @@ class Life:
             self.files[member], ["Output/Fields=none", *self.settings(member, k)]))
         block = f"block_{member}" if member else ""
         folder = Folder(self.directory / block / self.name(k), used)
-        return folder, folder.finished()
+        return folder, folder.finished(self.options.bars)
 
     def keep(self, member, k, folder, result, remark=""):
         a = self.lengths.all[k]

@@ -186,8 +186,8 @@ class Program:
     def begin(self, scene, texts, folder, *words):
         """Starts a run whose results replace those in the folder."""
         # A later --set replaces an earlier one; fields of many runs fill disks.
-        words = (scene, *options(["Output/Fields=none", *texts]),
-                 "--output", folder, "--force", "--quiet", "--no-bars", *words)
+        words = (scene, *options(["Output/Fields=none", *texts]), "--output", folder,
+                 "--force", "--quiet", *["--no-bars"] * ("--bars" not in words), *words)
         if self.stop.end < math.inf:
             words += "--wall-time", max(self.stop.end - time.monotonic(), 1e-3)
         call = self.start(*words) if self.ranks == 1 else self.run_parallel(words)

@@ -57,6 +57,8 @@ def arguments(words):
                         "run at the same time, each on one core (the number of cores; "
                         "1 if errors are measured beside costs, because such points "
                         "slow each other down; 1 with mpirun)")
+    parser.add_argument("--bars", action="store_true", help="give the results error "
+                        "bars, by companion runs of each point")
     parser.add_argument("--repeat", type=count, default=1, metavar="N", help="compute "
                         "each point N times, one at a time, and keep its least times")
     parser.add_argument("--columns", default="", metavar="LIST", help="columns of "

@@ -56,7 +56,9 @@ def draw_results(rows, name, numbers, along=None):
         x = [float(row[along]) if numeric else row[along] for row in shown]
         y = [numbers[row["point"]] for row in shown]
         style = line_style(i)
-        axes.plot(x, y, label=text, linestyle="-" if numeric else "", **style)
+        bars = [number(row.get("bar:" + name, "")) or 0. for row in shown]
+        axes.errorbar(x, y, yerr=bars if any(bars) else None, capsize=3, label=text,
+                      linestyle="-" if numeric else "", **style)
         unsettled = [k for k, row in enumerate(shown) if row["status"] != "done"]
         axes.plot([x[k] for k in unsettled], [y[k] for k in unsettled], linestyle="",
                   **style | {"markerfacecolor": "white"})

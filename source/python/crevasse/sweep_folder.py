@@ -13,7 +13,7 @@ import time
 
 from crevasse.command import CommandError, write_file
 from crevasse.program import Outcome
-from crevasse.results import ResultsError, same_scenes
+from crevasse.results import ResultsError, read_summary, same_scenes
 from crevasse.sweep_errors import STRESS_FILE
 from crevasse.wording import plural
 
@@ -26,6 +26,7 @@ RESULTS = (*NEEDED, "solution*", "log.txt", "report.html", "checkpoint")
 @dataclasses.dataclass
 class Result(Outcome):
     findings: dict = dataclasses.field(default_factory=dict)  # read from its files
+    bars: dict = dataclasses.field(default_factory=dict)  # likewise
     errors: dict = dataclasses.field(default_factory=dict)  # by quantities
     basis: str = ""  # what errors were measured against; if it changes, so do they
 
@@ -53,8 +54,9 @@ class Folder:
         except (OSError, ValueError, ResultsError):
             return False
 
-    def finished(self):
-        """The result of this very run; None if it is missing or damaged."""
+    def finished(self, with_bars=False):
+        """The result of this very run; None if it is missing or damaged, or lacks error
+        bars that are wanted."""
         if not self.has_same_scene():
             return None
         try:
@@ -62,9 +64,12 @@ class Folder:
             if any((self.path / name).stat().st_size != size
                    for name, size in kept["files"].items()):
                 return None
-            return Result(kept["status"], kept["message"], kept["costs"],
-                          warnings=kept.get("warnings", []), errors=kept["errors"],
-                          basis=kept["compared with"])
+            result = Result(kept["status"], kept["message"], kept["costs"],
+                            warnings=kept.get("warnings", []), errors=kept["errors"],
+                            basis=kept["compared with"])
+            lacks_bars = (with_bars and result.has_results and
+                          not read_summary(self.path / "summary.json")[0].get("bars"))
+            return None if lacks_bars else result
         except (OSError, ValueError, KeyError, AttributeError):
             return None
 
@@ -92,11 +97,10 @@ class Folder:
             else:
                 path.unlink()
 
-    def begin(self, program, scene, settings, keep_stress):
+    def begin(self, program, scene, settings, *words):
         self.prepare()
         self.begin_time = time.monotonic()
-        return program.begin(scene, settings, self.path,
-                             *["--stress-record"] * keep_stress)
+        return program.begin(scene, settings, self.path, *words)
 
     def progress(self):
         """Progress of the run, such as "12 s, 3 periods"."""

@@ -59,6 +59,10 @@ class Output:
         return sorted({name for result in self.results.values()
                        for name in result.findings}, key=findings.place)
 
+    def bars(self):
+        """Names of the findings that have an error bar at any point."""
+        return {name for result in self.results.values() for name in result.bars}
+
     def error(self, p, quantity):
         return self.results[p].errors.get(quantity, {}).get("value")
 
@@ -106,13 +110,15 @@ class Output:
         text = io.StringIO()
         table = csv.writer(text, lineterminator="\n")
         has_orders = self.plan.main_axis is not None
-        names, costs = self.findings(), (*COSTS, "jobs")
+        names, bars, costs = self.findings(), self.bars(), (*COSTS, "jobs")
         table.writerow(["point", *self.plan.parameters, "status", *names,
+                        *("bar:" + name for name in names if name in bars),
                         *(what + quantity for quantity in self.quantities for what in
                           ("error:", *["order:"] * has_orders, "instants:")),
                         *costs, "message"])
         for p, point, result in self.points():
             cells = [shortest(result.findings.get(name)) for name in names]
+            cells += [shortest(result.bars.get(name)) for name in names if name in bars]
             for quantity in self.quantities:
                 cells += [shortest(self.error(p, quantity)),
                           *[formatted(self.order(p, quantity), "%.3f")] * has_orders,
@@ -132,7 +138,8 @@ class Output:
                 "warnings": list(self.warnings()),
                 "points": [{"folder": point.folder,
                             "values": dict(zip(self.plan.parameters, point.values)),
-                            "results": result.findings, **result.as_json()}
+                            "results": result.findings, "bars": result.bars,
+                            **result.as_json()}
                            for _, point, result in self.points()]}
 
     def markdown(self):
@@ -170,6 +177,9 @@ class Output:
         for name in self.findings():
             yield Column(name, name, lambda p, name=name: formatted(
                 self.results[p].findings.get(name), "%.5g"))
+            if name in self.bars():
+                yield Column("bar:" + name, f"bar of {name}", lambda p, name=name:
+                             formatted(self.results[p].bars.get(name), "%.1g"))
         for name in self.quantities:
             yield Column("error:" + name, f"error of {name}",
                          lambda p, name=name: formatted(self.error(p, name), "%.1e"))

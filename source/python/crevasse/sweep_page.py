@@ -178,7 +178,8 @@ def finding_charts(rows, lines, along, found):
                    "loose": "categories" in axis,
                    "points": [[read_x(row[along]), numbers[row["point"]],
                                words(row, names) + not_done(row),
-                               row["status"] != "done"]
+                               row["status"] != "done",
+                               number(row.get("bar:" + name, ""))]
                               for row in members if row["point"] in numbers]}
                   for k, (label, members) in enumerate(sweep_table.joined(lines))]
         log = ["y"] if spans_decades(list(numbers.values())) else []

@@ -50,11 +50,7 @@ def choose_jobs(options, program, measures_errors):
         raise CommandError(f"--jobs {options.jobs}: with mpirun each point is computed on "
                            f"all {program.ranks} processes, one point at a time. Leave "
                            "out --jobs, or mpirun.", 2)
-    if options.repeat > 1 and options.jobs not in (None, 1):
-        raise CommandError(f"--jobs {options.jobs}: runs that are repeated for their "
-                           "times are computed one at a time. Leave out --jobs, or "
-                           "--repeat.", 2)
-    one = program.ranks > 1 or measures_errors or options.repeat > 1
+    one = program.ranks > 1 or measures_errors
     return options.jobs or (1 if one else len(os.sched_getaffinity(0)))
 
 
@@ -72,7 +68,11 @@ class Sweep:
         self.needs_reference = None in self.quantities.values()
         # One kind of error in all rows of a table.
         self.periodic = any(map(is_periodic, self.scenes))
-        self.jobs = choose_jobs(options, program, bool(self.quantities))
+        if options.repeat > 1 and options.jobs not in (None, 1):
+            raise CommandError(f"--jobs {options.jobs}: runs that are repeated for their "
+                               "times are computed one at a time. Leave out --jobs, or "
+                               "--repeat.", 2)
+        self.jobs = choose_jobs(options, program, self.quantities or options.repeat > 1)
         self.directory = options.output or pathlib.Path(
             (self.scenes[0]["Output directory"] or f"results/{options.scene.stem}")
             + "_sweep")
@@ -139,7 +139,8 @@ class Sweep:
         self.program.stop.check()
         call = folder.begin(self.program, self.options.scene,
                             [*self.options.set, *self.settings[k]],
-                            STRESS in self.quantities)
+                            *["--stress-record"] * (STRESS in self.quantities),
+                            *["--bars"] * (self.options.bars and k > 0))
         self.running[call] = k, folder
 
     def finish_one(self):
@@ -216,6 +217,7 @@ class Sweep:
     def keep(self, folder, number, result, remark=""):
         if result.has_results:
             result.findings = findings.read(folder.path)
+            result.bars = findings.bars(folder.path)
         self.output.results[number] = result
         self.output.write(self.directory)
         self.lines[number].append(f"  {number + 1} of {len(self.plan.points)}: "
@@ -233,7 +235,7 @@ class Sweep:
     def stored(self, folder, number):
         """The result of an earlier run, with errors against the present reference; None
         if there is none."""
-        result = folder.finished()
+        result = folder.finished(self.options.bars)
         if (result and result.has_results and self.quantities
                 and result.basis != self.basis()):
             try:

@@ -84,6 +84,27 @@ const errorBars = {
   },
 };
 
+// A vertical line of the error bar through each point that has one.
+const whiskers = {
+  id: "whiskers",
+  afterDatasetsDraw(chart) {
+    const { ctx, scales } = chart;
+    chart.data.datasets.forEach(({ data: all, borderColor }, k) => {
+      if (!chart.isDatasetVisible(k)) return;
+      ctx.strokeStyle = borderColor;
+      all.forEach(({ y, bar }, i) => {
+        if (!bar) return;
+        const { x } = chart.getDatasetMeta(k).data[i];
+        const [top, bottom] = [y + bar, y - bar].map((end) => scales.y.getPixelForValue(end));
+        ctx.beginPath();
+        for (const end of [top, bottom]) { ctx.moveTo(x - 3, end); ctx.lineTo(x + 3, end); }
+        ctx.moveTo(x, top); ctx.lineTo(x, bottom);
+        ctx.stroke();
+      });
+    });
+  },
+};
+
 function stateAt(t) {
   const found = data.shades.find(([begin, end]) => begin <= t && t <= end);
   return ["lip open", "lip partly closed", "lip closed"][found ? found[2] : 0];
@@ -162,6 +183,11 @@ function drawPoints(spec, canvas) {
   if (spec.categories)
     Object.assign(across, { type: "category", labels: spec.categories, offset: true,
                             ticks: { maxRotation: 60 } });
+  const up = axis(spec.y, logarithmic.includes("y"));
+  const ends = spec.series.flatMap(({ points }) => points.filter((point) => point[4])
+    .flatMap(([, y, , , bar]) => [y - bar, y + bar]));
+  if (ends.length && !logarithmic.includes("y"))
+    [up.suggestedMin, up.suggestedMax] = [Math.min(...ends), Math.max(...ends)];
   return new Chart(canvas, {
     type: "scatter",
     data: { datasets: spec.series.map((series) => ({
@@ -174,11 +200,12 @@ function drawPoints(spec, canvas) {
       pointRadius: series.bare ? 0 : series.hollow ? 8 : 4,
       pointHoverRadius: series.bare ? 0 : series.hollow ? 8 : 6,
       pointStyle: series.bare ? "line" : series.marker || "circle",
-      data: series.points.map(([x, y, words]) => ({ x, y, words })),
+      data: series.points.map(([x, y, words, , bar]) => ({ x, y, words, bar })),
     })) },
+    plugins: [whiskers],
     options: {
       interaction: { mode: "nearest", intersect: false },
-      scales: { x: across, y: axis(spec.y, logarithmic.includes("y")) },
+      scales: { x: across, y: up },
       plugins: {
         // Longer legends stand beside the chart; the longest leave no room for it.
         legend: { display: spec.series.length > 1 && spec.series.length <= 16,
@@ -191,7 +218,8 @@ function drawPoints(spec, canvas) {
             title: (items) => items.length ? items[0].dataset.label : "",
             label: (item) => [...(item.raw.words || []),
                               ...(spec.what ? [] : [`${spec.x}: ${number(item.parsed.x)}`]),
-                              `${spec.what || spec.y}: ${number(item.parsed.y)}`],
+                              `${spec.what || spec.y}: ${number(item.parsed.y)}` +
+                                (item.raw.bar ? ` ± ${number(item.raw.bar, 2)}` : "")],
           },
         },
       },
