@@ -19,8 +19,13 @@ namespace Crevasse
   KnownFields::KnownFields(const Body<2> &body, const TipRegion &region)
   {
     none.normal.assign(body.lip.nodes.size(), 0.);
+    unsigned int n_singular = 0; // w₁, D, w₃: the terms 1 and 3
+    if (const auto *shapes = body.space.singular_shapes())
+      for (const SingularFunction &function : shapes->functions)
+        n_singular += function.mode == CrackMode::opening &&
+                      function.tip.position == region.tip.position;
     for (const unsigned int n : {1, 3, 4})
-      if (n > 1 || body.space.singular_shapes() == nullptr)
+      if (n > n_singular)
         {
           PolarField field = williams_term(n, kappa);
           // The first term has K_I = √(2π).

@@ -71,7 +71,7 @@ namespace Crevasse
   std::string
   CrackTipAnalysis::describe() const
   {
-    const std::string &why = intensity.why_no_integral;
+    const std::string &why = intensity.why;
     const std::string  law = describe_growth_law(scene.crack_tip);
     return "  crack tip: " + Text::from_point(intensity.region.tip.position) +
            ", K_I" +

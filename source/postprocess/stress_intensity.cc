@@ -58,13 +58,14 @@ namespace Crevasse
     , region(body.space, tip)
     , first_elasticity(find_elasticity(0.))
     , uniform(find_uniform_radii(steps))
-    , why_no_integral(find_no_integral(steps))
+    , uses_fit(scene.crack_tip.method == StressIntensityMethod::williams_fit)
+    , why(find_reason(steps))
     , square(choose_square())
   {
     for (const double t :
          instants_of_variation(body.material.stiffness_varies, steps))
       elasticity(t);
-    if (why_no_integral.empty())
+    if (!uses_fit)
       for (const CrackMode mode : modes())
         {
           // The squares differ in cells at the tip, so that the difference of
@@ -170,19 +171,17 @@ namespace Crevasse
 
 
   std::string
-  StressIntensity::find_no_integral(const StepList &steps) const
+  StressIntensity::find_reason(const StepList &steps) const
   {
-    using Method              = StressIntensityMethod;
-    const Method      wish    = scene.crack_tip.method;
-    const std::string setting = "[Crack tip] Method = " + name_of(wish);
-    if (wish == Method::williams_fit &&
-        (region.tip.two_lips || first_elasticity.anisotropic))
+    const std::string setting =
+      "[Crack tip] Method = " + name_of(scene.crack_tip.method);
+    if (uses_fit && (region.tip.two_lips || first_elasticity.anisotropic))
       throw SceneError(setting +
                        ": is for cracks with one lip, on a plane of symmetry, "
                        "in isotropic bodies. Set it to automatic.");
     if (body.space.roles.has_axis)
       require_ring(region.tip, StressIntensity::setting(scene));
-    if (wish == Method::williams_fit)
+    if (uses_fit)
       return setting;
     for (const double t :
          instants_of_variation(body.material.fluidity_varies, steps))
@@ -195,19 +194,17 @@ namespace Crevasse
                                       t);
           if (limit && first_elasticity.leaves_stress(*limit))
             continue;
-          const std::string why =
+          const std::string reason =
             first_elasticity.anisotropic
               ? "the stiffness at the crack tip is anisotropic and the "
                 "viscosity not proportional to it"
               : "the viscosity at the crack tip is anisotropic in the plane, "
                 "or differs between its sides";
-          if (wish == Method::interaction_integral || !can_fit())
-            throw SceneError(setting + ": " + why +
-                             ", so that the field there is not known. " +
-                             (can_fit()
-                                ? "Set it to automatic or williams fit."
-                                : "Set [Crack tip] Stress intensity = false."));
-          return why;
+          if (!can_fit())
+            throw SceneError(setting + ": " + reason +
+                             ", so that the field there is not known. Set "
+                             "[Crack tip] Stress intensity = false.");
+          return reason;
         }
     return "";
   }
@@ -229,7 +226,7 @@ namespace Crevasse
     };
     constexpr double least = 0.25;
     const double     end   = region.largest_radius();
-    if (scene.crack_tip.radius > 0. || !why_no_integral.empty())
+    if (scene.crack_tip.radius > 0. || uses_fit)
       return over(region.square(scene.crack_tip.radius, end));
     // Viscous strain does not enter where creep is uniform.
     const double most = uniform.creep >= least * end ? uniform.creep : end;
@@ -316,6 +313,9 @@ namespace Crevasse
         all.intensity[0] = all.of_stress;
         all.error[0]     = std::abs(fit.correction(stress, g));
       }
+    else if (!why.empty())
+      all.error[0] =
+        std::max(all.error[0], std::abs(all.intensity[0] - all.of_stress));
     return all;
   }
 } // namespace Crevasse

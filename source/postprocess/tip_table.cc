@@ -209,7 +209,7 @@ namespace Crevasse
       }
     else
       {
-        tip["why"]           = analysis.intensity.why_no_integral;
+        tip["why"]           = analysis.intensity.why;
         tip["strain_energy"] = {{"largest", largest(energy_of)}};
       }
     warn_of_uncertainty(summary);

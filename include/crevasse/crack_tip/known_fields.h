@@ -12,8 +12,8 @@ namespace Crevasse
    * Fields of known K_I on the mesh of a body: the terms n = 1, 3, 4 of
    * Williams' series, as finite elements interpolate them. Terms have the same
    * stress at the distance TipRegion::largest_radius(), and the first has K_I =
-   * 1. The second is uniform stress, which integrals have exactly. With
-   * singular functions the first is left out: they have it.
+   * 1. The second is uniform stress, which integrals have exactly. Terms
+   * that are singular functions of the mesh are left out.
    *
    * What an integral makes of them tells how well the mesh resolves the weight
    * of its square, without any solution.

@@ -234,8 +234,7 @@ namespace Crevasse
     static constexpr const char *meaning =
       "Method for K_I: an interaction integral over a square around the tip, "
       "or a fit of Williams' series to the stress around the tip. "
-      "\"automatic\": the integral, or the fit if the viscosity at the tip is "
-      "anisotropic or discontinuous.";
+      "\"automatic\": the integral; the fit is a check.";
   };
 
   /** Part of a growth law that depends on the range of K. */

@@ -11,11 +11,10 @@
 namespace Crevasse
 {
   /**
-   * Computes K_I at the instants of a run: by integrals over two squares if the
-   * field at the tip is Williams' series (moduli are isotropic there and equal
-   * on all sides), otherwise by the fit. Squares and discs end at other
-   * boundaries or materials. If the tip has two lips, also K_II and T are
-   * computed, and there is no fit.
+   * Computes K_I at the instants of a run by integrals over two squares, with
+   * the fit of Williams' series as a check, or by the fit. Squares end at other
+   * boundaries, discs also at other materials. If the tip has two lips, also
+   * K_II and T are computed, and there is no fit.
    */
   class StressIntensity
   {
@@ -142,10 +141,9 @@ namespace Crevasse
     UniformRadii
     find_uniform_radii(const StepList &steps) const;
 
-    /** Reason why the integral is not used; empty: it is used.
-     * @throw SceneError if Method requests it where it is not valid. */
+    /** @throw SceneError if K is not known, or Method does not suit the tip. */
     std::string
-    find_no_integral(const StepList &steps) const;
+    find_reason(const StepList &steps) const;
 
     /** The square of the scene or, among several, that with the least error for
      * fields of known K. */
@@ -184,8 +182,11 @@ namespace Crevasse
     const UniformRadii  uniform;
 
   public:
-    /** Reason for the fit; empty if the integral is used. */
-    const std::string why_no_integral;
+    const bool uses_fit; ///< whether K_I is that of the fit
+    /** Reason for the fit, or why the field at the tip is not Williams' series
+     * once it has crept: then the difference of integral and fit is an error.
+     * Otherwise empty. */
+    const std::string why;
 
   private:
     const Square              square;    ///< larger square
