@@ -214,6 +214,14 @@ namespace Crevasse
   StressIntensity::Square
   StressIntensity::choose_square() const
   {
+    constexpr double least = 0.25;
+    const double     end   = region.largest_radius();
+    const double     wish  = scene.crack_tip.radius;
+    // Viscous strain does not enter where creep is uniform.
+    const double most = uniform.creep >= least * end ? uniform.creep : end;
+    // Fields of known K are those of the plane.
+    if (body.space.roles.has_axis)
+      return {region.square(wish, wish > 0. ? end : most), 0.};
     const KnownFields fields(body, region);
     const auto        over = [&](const double size) {
       return Square{size,
@@ -224,14 +232,10 @@ namespace Crevasse
                                                         scene.loads,
                                                         {size, size, false}))};
     };
-    constexpr double least = 0.25;
-    const double     end   = region.largest_radius();
-    if (scene.crack_tip.radius > 0. || uses_fit)
-      return over(region.square(scene.crack_tip.radius, end));
-    // Viscous strain does not enter where creep is uniform.
-    const double most = uniform.creep >= least * end ? uniform.creep : end;
-    Square       best = over(region.aligned_radius(most));
-    double       last = best.size;
+    if (wish > 0. || uses_fit)
+      return over(region.square(wish, end));
+    Square best = over(region.aligned_radius(most));
+    double last = best.size;
     for (double part = 1.; part >= least; part *= std::sqrt(0.5))
       if (const double size = region.aligned_radius(part * most);
           size < 0.99 * last && size >= region.cell_radius)
