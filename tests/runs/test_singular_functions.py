@@ -34,7 +34,8 @@ for degree, cells, n, bound in ((1, "14, 4", 1, 4.5e-2), (1, "14, 4", 3, 1.5e-2)
     check_below(error, bound, name + ": error of K_I")
     estimated = tip["K_I_error"] / K_I
     print(f"{name}: estimated {estimated:.1e}")
-    check(0.15 < estimated / error < 10, name + ": the error is known")
+    check(0.15 < estimated / error < (6 if n == 3 else 5),  # long cells
+          name + ": the error is known")
 
 # Every contact solver, with hanging nodes: opening and closing.
 GRADED = ["Refinement/Strategy=tip", "Refinement/Cycles=3"]
