@@ -339,7 +339,7 @@ def study():
         expected = [[float(row["Material/Relaxation time"]), float(row["opening"]),
                      row["status"] != "done"] for row in rows if row["opening"]
                     and row["Time integration/Scheme"] == line["label"]]
-        check([[x, y, hollow] for x, y, _, hollow in line["points"]] == expected
+        check([[x, y, hollow] for x, y, _, hollow, _ in line["points"]] == expected
               and any(hollow for *_, hollow in expected), f"{line} {expected}")
 
 
