@@ -40,7 +40,7 @@ namespace Crevasse
       std::ifstream file("/proc/cpuinfo");
       for (std::string line; std::getline(file, line);)
         if (line.rfind("model name", 0) == 0)
-          return line.substr(line.find(':') + 2);
+          return Utilities::trim(line.substr(line.find(':') + 1));
       return "unknown";
     }
 

@@ -106,7 +106,7 @@ namespace Crevasse
                 return size > 0. ? (matrix - transpose(matrix)).norm() / size
                                  : 0.;
               },
-              {-infinity, 1e-10, "must be symmetric"});
+              {-infinity, 1e-10, "symmetric"});
       require("has the relative eigenvalue",
               [places](const Values &values) {
                 const auto matrix = matrix_of<dim>(values, places);
@@ -114,7 +114,7 @@ namespace Crevasse
                   0.5 * (matrix + transpose(matrix)),
                   places.size() < n_stress_components<dim>);
               },
-              {1e-14, infinity, "must be positive definite"});
+              {1e-14, infinity, "positive definite"});
     }
 
 

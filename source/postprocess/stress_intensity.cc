@@ -124,13 +124,15 @@ namespace Crevasse
       refuse(
         "the stiffness is not symmetric about the line of the crack, so "
         "that this line is no plane of symmetry. Model both lips");
+    if (t == 0.)
+      return now; // first_elasticity is being made
     const bool is_other =
       now.anisotropic || first_elasticity.anisotropic
         ? (now.stiffness - first_elasticity.stiffness).norm() >
             1e-8 * now.stiffness.norm()
         : body.space.roles.has_axis &&
             std::abs(now.kappa() - first_elasticity.kappa()) > 1e-8;
-    if (t > 0. && is_other)
+    if (is_other)
       refuse((now.anisotropic
                 ? "the stiffness, which is not isotropic"
                 : "Poisson's ratio, with [Material] Plane state = "
@@ -220,8 +222,8 @@ namespace Crevasse
     // Viscous strain does not enter where creep is uniform.
     const double most = uniform.creep >= least * end ? uniform.creep : end;
     // Fields of known K are those of the plane.
-    if (body.space.roles.has_axis)
-      return {region.square(wish, wish > 0. ? end : most), 0.};
+    if (body.space.roles.has_axis || uses_fit)
+      return {region.square(wish, wish > 0. || uses_fit ? end : most), 0.};
     const KnownFields fields(body, region);
     const auto        over = [&](const double size) {
       return Square{size,
@@ -232,7 +234,7 @@ namespace Crevasse
                                                         scene.loads,
                                                         {size, size, false}))};
     };
-    if (wish > 0. || uses_fit)
+    if (wish > 0.)
       return over(region.square(wish, end));
     Square best = over(region.aligned_radius(most));
     double last = best.size;

@@ -15,7 +15,7 @@ import numpy
 
 from crevasse.advise_runs import Runs
 from crevasse.bars_companions import SAFETY, SMALLEST_RATIO, Choice, factor
-from crevasse.bars_compare import (Histories, difference, largest,
+from crevasse.bars_compare import (Histories, difference, largest, largest_intensity,
                                    mode_two_of_closed_tip, quantities_of,
                                    relative_error_of_tip)
 from crevasse.bars_text import table_of, to_halve
@@ -209,6 +209,8 @@ class Bars:
         if quantity.of == "drift":
             value = (self.own.summary_number("extremes", "displacement") or 0.
                      ) / self.own.period
+        elif "K" in quantity.of:
+            value = largest_intensity(quantity, self.mine)
         return part * abs(value)
 
     def is_at_a_tip(self, quantity):

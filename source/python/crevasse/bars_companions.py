@@ -7,7 +7,7 @@ cells, or with other steps, and the factor by which a difference becomes an erro
 import dataclasses
 import math
 
-from crevasse.quantities import has_lip
+from crevasse.quantities import has_crack, has_lip
 
 ORDERS = {"euler": 1.}  # of time schemes; all others have 2 or more
 SMALLEST_RATIO = 1.2  # of the sizes of cells, that a difference says something
@@ -41,8 +41,7 @@ class Choice:
         self.dim = run.dimension
         effects = self.summary.get("effects", {})
         self.functions = effects.get("singular functions", {}).get("on")
-        self.has_singular_tip = (has_lip(self.scene) and not self.functions
-                                 and self.scene["Geometry/Shape"] != "rectangle")
+        self.has_singular_tip = has_crack(self.scene) and not self.functions
         self.is_adaptive = self.scene["Refinement/Strategy"] == "adaptive"
         self.unknowns = self.summary["unknowns"]
 
@@ -154,12 +153,10 @@ class Choice:
         return ", ".join(map(str, coarse)), ratio
 
     def steps(self):
-        """The companion with steps of half the length, or a quarter of the tolerance;
-        None if each instant is solved by itself. Longer steps would be cheaper, but
-        they may miss what the run's steps show."""
+        """The companion with steps of half the length, or a quarter of the tolerance,
+        also of elastic bodies, whose extremes lie between instants. Longer steps would
+        be cheaper, but they may miss what the run's steps show."""
         control = self.scene["Time integration/Step control"]
-        if self.scene["Material/Viscosity"] == "none":
-            return None
         if control == "uniform":
             name = "Time integration/Steps per period"
             return Companion("shorter_steps", {name: 2 * self.number(name)}, .5, 2.)

@@ -17,6 +17,7 @@ from crevasse.run_reader import Run
 
 # A quantity of one number or history: columns of a table (all components of a tensor
 # together), or else a finding of the summary.
+BEARS = 1e-9  # of the largest force: less is rounding
 Quantity = collections.namedtuple("Quantity", "name, table, columns, of, probe")
 FINDINGS = ("K_I_largest", "K_I_smallest", "K_II_largest", "K_II_smallest",
             "K_III_largest", "K_III_smallest", "Delta_K", "K_opening", "Delta_K_eff",
@@ -101,7 +102,8 @@ def mode_two_of_closed_tip(quantity, run):
         return 0.
     k = tip.columns["K_I"]
     at = k.argmin() if quantity.of == "K_I_smallest" else k.argmax()
-    presses = numpy.interp(tip.t[at], contact.t, contact.columns["force"]) > 0.
+    force = contact.columns["force"]
+    presses = numpy.interp(tip.t[at], contact.t, force) > BEARS * force.max()
     return presses * abs(float(tip.columns["K_II"][at]))
 
 
@@ -110,8 +112,15 @@ def relative_error_of_tip(quantity, run):
     tip = table_of_tip(quantity, run) if "K" in quantity.of else None
     if not tip:
         return 0.
-    size = numpy.hypot(tip.columns["K_I"], tip.columns.get("K_II", 0.)).max()
+    size = largest_intensity(quantity, run)
     return tip.columns["K_I_error"].max() / size if size else 0.
+
+
+def largest_intensity(quantity, run):
+    """The largest K of both modes at the tip of a quantity."""
+    tip = table_of_tip(quantity, run)
+    return float(numpy.hypot(tip.columns["K_I"], tip.columns.get("K_II", 0.)).max()
+                 ) if tip else 0.
 
 
 def table_of_tip(quantity, run):

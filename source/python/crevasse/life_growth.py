@@ -120,9 +120,12 @@ class Reader:
 
     def angle(self, tip):
         """Direction of growth from straight ahead; of a path from the x axis."""
-        angle = tip.get("growth_angle") or 0.
+        angle = tip.get("growth_angle")
         if self.place is None:
-            return angle
+            return angle or 0.
+        if angle is None:
+            raise CommandError("--path: the direction of growth is known for isotropic "
+                               "bodies only. Leave out --path.", 2)
         x, y = tip["direction"]
         return angle + numpy.degrees(numpy.arctan2(y, x))
 

@@ -41,6 +41,13 @@ def has_two_lips(scene):
     return scene["Boundary/Crack"] not in ("", "none", "automatic")
 
 
+def has_crack(scene):
+    """Whether a scene has a crack, with or without contact."""
+    shape = scene["Geometry/Shape"]
+    return "crack" in shape or shape == "mesh file" and (
+        has_lip(scene) or scene["Boundary/Open crack"] not in ("", "none", "automatic"))
+
+
 def has_lip(scene):
     """Whether a scene has a lip: of a built-in crack, or on named boundaries."""
     if has_two_lips(scene):

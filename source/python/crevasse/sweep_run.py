@@ -44,13 +44,13 @@ def read_scenes(program, options, settings):
     return texts
 
 
-def choose_jobs(options, program, measures_errors):
+def choose_jobs(options, program, one_at_a_time):
     """Number of points that run at the same time."""
     if program.ranks > 1 and options.jobs not in (None, 1):
         raise CommandError(f"--jobs {options.jobs}: with mpirun each point is computed on "
                            f"all {program.ranks} processes, one point at a time. Leave "
                            "out --jobs, or mpirun.", 2)
-    one = program.ranks > 1 or measures_errors
+    one = program.ranks > 1 or one_at_a_time
     return options.jobs or (1 if one else len(os.sched_getaffinity(0)))
 
 
@@ -72,7 +72,8 @@ class Sweep:
             raise CommandError(f"--jobs {options.jobs}: runs that are repeated for their "
                                "times are computed one at a time. Leave out --jobs, or "
                                "--repeat.", 2)
-        self.jobs = choose_jobs(options, program, self.quantities or options.repeat > 1)
+        self.jobs = choose_jobs(options, program,
+                                bool(self.quantities) or options.repeat > 1)
         self.directory = options.output or pathlib.Path(
             (self.scenes[0]["Output directory"] or f"results/{options.scene.stem}")
             + "_sweep")
@@ -123,24 +124,27 @@ class Sweep:
             self.find_points()
         finally:
             self.write_lines(to_the_end=True)
+            if self.output.results:
+                write_file(self.directory / "sweep.tex", self.output.latex())
             for warning in self.output.warnings():
                 self.log("  warning: " + warning)
             for name in self.output.unknown_columns():
                 self.log(f"  warning: --columns: no run has {name}; sweep.csv shows "
                          "what they have")
-        write_file(self.directory / "sweep.tex", self.output.latex())
         self.log(f"  table in {self.directory}/sweep.md, sweep.tex, sweep.csv, sweep.json")
         if not any(result.has_results for result in self.output.results.values()):
             raise CommandError(f"None of the points has results: {self.directory}"
                                "/sweep.md tells why.", 3)
 
-    def begin(self, folder, k):
-        """Starts the run of scene k; 0 is the reference."""
+    def begin(self, folder, k, repetition=1):
+        """Starts the run of scene k; 0 is the reference. The last repetition gets the
+        error bars."""
         self.program.stop.check()
         call = folder.begin(self.program, self.options.scene,
                             [*self.options.set, *self.settings[k]],
                             *["--stress-record"] * (STRESS in self.quantities),
-                            *["--bars"] * (self.options.bars and k > 0))
+                            *["--bars"] * (self.options.bars and k > 0
+                                           and repetition == self.options.repeat))
         self.running[call] = k, folder
 
     def finish_one(self):
@@ -203,13 +207,15 @@ class Sweep:
 
     def compute_one(self):
         k, folder, result = self.finish_one()
-        for _ in range(self.options.repeat - 1):
+        for repetition in range(2, self.options.repeat + 1):
             times = {name: value for name, value in result.costs.items()
                      if "seconds" in name}
-            self.begin(folder, k)
+            self.begin(folder, k, repetition)
             _, _, result = self.finish_one()
             result.costs |= {name: min(value, result.costs.get(name, value))
                              for name, value in times.items()}
+        if result.costs:
+            result.costs["repeats"] = self.options.repeat
         self.measure(folder, k - 1, result)
         folder.finish(result)
         self.keep(folder, k - 1, result)
@@ -236,6 +242,8 @@ class Sweep:
         """The result of an earlier run, with errors against the present reference; None
         if there is none."""
         result = folder.finished(self.options.bars)
+        if result and 0 < result.costs.get("repeats", 0) < self.options.repeat:
+            return None
         if (result and result.has_results and self.quantities
                 and result.basis != self.basis()):
             try:
