@@ -31,6 +31,8 @@ namespace Crevasse
       if (scene.refinement.readapt_every > 0)
         return "[Refinement] Readapt every = " +
                std::to_string(scene.refinement.readapt_every);
+      if (!scene.geometry.crack_growth->empty())
+        return "[Geometry] Crack growth is given";
       if (!scene.material.stiffness_matrix.text().empty())
         return "[Material] Stiffness matrix is given";
       for (const Expression &formula : stiffness_formulas(scene.material))

@@ -32,6 +32,25 @@ namespace Crevasse
 
 
 
+  std::map<unsigned int, double>
+  parse_crack_growth(const std::string &text)
+  {
+    const Patterns::Map pattern(Patterns::Integer(1),
+                                Patterns::Double(0.),
+                                0,
+                                Patterns::Map::max_int_value,
+                                ";",
+                                ":");
+    if (!pattern.match(text))
+      throw SceneError(
+        "must have pairs of a number of periods and a length, "
+        "such as 10: 0.55; 20: 0.6");
+    return Patterns::Tools::Convert<std::map<unsigned int, double>>::to_value(
+      text, pattern);
+  }
+
+
+
   void
   GeometryParameters::add_parameters(ParameterHandler &prm)
   {
@@ -56,6 +75,13 @@ namespace Crevasse
                       "length. Allowed: a number greater than 0 and less than "
                       "Width",
                       size);
+    crack_growth.add_parameter(
+      "Crack growth",
+      "Lengths to which the crack grows after numbers of periods, in units of "
+      "length: its nodes are released, and the viscous strain stays in place. "
+      "The cells must be the same for all lengths. Allowed: nothing, or pairs "
+      "such as 10: 0.55; 20: 0.6",
+      prm);
     prm.add_parameter(
       "Mesh file",
       mesh_file,

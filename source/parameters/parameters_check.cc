@@ -45,6 +45,30 @@ namespace Crevasse
                      "crack and ligament must each be at least 1e-8 of " +
                        of_width);
     }
+    void
+    check_crack_growth(const GeometryParameters &geometry,
+                       const Checker            &checker)
+    {
+      checker.demand_valid("Crack growth", geometry.crack_growth);
+      if (!geometry.crack_growth.is_valid() || geometry.crack_growth->empty())
+        return;
+      checker.demand(traits(geometry.shape).has_crack,
+                     "Crack growth",
+                     "needs a shape with a built-in crack");
+      double before = geometry.crack_length;
+      for (const auto &[periods, length] : *geometry.crack_growth)
+        {
+          checker.demand(length > before && length < geometry.width,
+                         "Crack growth",
+                         "after " + std::to_string(periods) +
+                           " periods the length " + Text::from_number(length) +
+                           " must be greater than " +
+                           Text::from_number(before) +
+                           " and less than Width = " +
+                           Text::from_number(geometry.width));
+          before = length;
+        }
+    }
   } // namespace
 
 
@@ -53,6 +77,7 @@ namespace Crevasse
   GeometryParameters::check(Problems &problems) const
   {
     const Checker checker(section, problems);
+    check_crack_growth(*this, checker);
     if (traits(shape).has_crack && !problems.concern(section, "Width") &&
         !problems.concern(section, "Crack length"))
       check_crack_length(*this, checker);

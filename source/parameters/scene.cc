@@ -245,18 +245,29 @@ namespace Crevasse
 
 
 
-    /** Checks Readapt every: the mesh can change only if nothing but the
-     * viscous strain is carried from one period to the next. */
+    /** Checks Readapt every and Crack growth: the mesh can change only if
+     * nothing but the viscous strain is carried from one period to the next. */
     void
-    check_readaptation(const Scene &scene, Problems &problems)
+    check_change_of_mesh(const Scene &scene, Problems &problems)
     {
-      const unsigned int n = scene.refinement.readapt_every;
-      if (n == 0)
+      const unsigned int n      = scene.refinement.readapt_every;
+      const auto        &growth = scene.geometry.crack_growth;
+      const bool         grows  = growth.is_valid() && !growth->empty();
+      if (n == 0 && !grows)
         return;
       const auto demand = [&](const bool fulfilled, const std::string &reason) {
-        Checker(RefinementParameters::section, problems)
-          .demand(fulfilled, "Readapt every", "must be 0 " + reason);
+        if (n > 0)
+          Checker(RefinementParameters::section, problems)
+            .demand(fulfilled, "Readapt every", "must be 0 " + reason);
+        if (grows)
+          Checker(GeometryParameters::section, problems)
+            .demand(fulfilled, "Crack growth", "is not possible " + reason);
       };
+      demand(n == 0 || !grows,
+             "with both Crack growth and [Refinement] Readapt every");
+      demand(!grows || scene.periodic_state.tolerance == 0.,
+             "unless [Periodic state] Tolerance = 0: a crack that grows has no "
+             "periodic state");
       demand(scene.periodic_state.missions.empty(),
              "with [Periodic state] Missions, which leap on one mesh");
       demand(!scene.periodic_state.missions.empty() ||
@@ -388,6 +399,6 @@ namespace Crevasse
     else
       check_points<3>(*this, problems);
     check_instants(*this, problems);
-    check_readaptation(*this, problems);
+    check_change_of_mesh(*this, problems);
   }
 } // namespace Crevasse

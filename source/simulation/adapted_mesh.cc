@@ -126,7 +126,7 @@ namespace Crevasse
     if (checkpoints.is_resuming())
       {
         serialize(checkpoints.resumed());
-        current = make_coarse_mesh<dim>(scene, communicator);
+        current = make_coarse_mesh<dim>(this->scene, communicator);
         current->load(checkpoints.resumed_mesh());
         return;
       }
@@ -164,6 +164,7 @@ namespace Crevasse
   {
     archive.section("mesh");
     archive.common_list(all);
+    archive.common(scene.geometry.crack_length);
   }
 
 
@@ -321,6 +322,33 @@ namespace Crevasse
     auto mesh = make_coarse_mesh<dim>(scene, current->get_communicator());
     mesh->load(current->get_p4est());
     current = mesh;
+  }
+
+
+
+  template <int dim>
+  void
+  AdaptedMesh<dim>::grow(const double crack_length)
+  {
+    const auto vertices = [this]() {
+      return make_coarse_mesh<dim>(scene, current->get_communicator())
+        ->get_vertices();
+    };
+    const std::vector<Point<dim>> before = vertices();
+    const double                  former =
+      std::exchange(scene.geometry.crack_length, crack_length);
+    const std::vector<Point<dim>> after    = vertices();
+    constexpr double              rounding = 1e-12;
+    bool                          is_same  = before.size() == after.size();
+    for (unsigned int i = 0; is_same && i < after.size(); ++i)
+      is_same = before[i].distance(after[i]) <= rounding * scene.geometry.width;
+    if (!is_same)
+      throw SceneError(
+        "[Geometry] Crack growth: a crack of length " +
+        Text::from_number(crack_length) + " needs other cells than one of " +
+        Text::from_number(former) +
+        ". Choose Subdivisions with lines between cells at all its tips.");
+    renew();
   }
 
 

@@ -2,7 +2,6 @@
 // Copyright (C) 2026 by the Crevasse authors
 
 #include <crevasse/base/text.h>
-#include <crevasse/model/state_transfer.h>
 #include <crevasse/simulation/adaptive_run.h>
 #include <crevasse/simulation/setup_report.h>
 
@@ -35,12 +34,10 @@ namespace Crevasse
     , log(log)
     , checkpoints(checkpoints)
     , adapted(scene, communicator, log, checkpoints)
-    , on_mesh(std::make_unique<Run<dim>>(this->scene,
-                                         adapted.mesh(),
-                                         log,
-                                         checkpoints,
-                                         state))
   {
+    this->scene.geometry.crack_length = adapted.crack_length();
+    on_mesh                           = std::make_unique<Run<dim>>(
+      this->scene, adapted.mesh(), log, checkpoints, state);
     if (checkpoints.is_resuming())
       serialize_summary(checkpoints.resumed());
     else
@@ -64,7 +61,10 @@ namespace Crevasse
         state.was_resumed = true;
       }
     for (on_mesh->prepare(); !on_mesh->search(); on_mesh->prepare())
-      readapt();
+      if (scene.refinement.readapt_every > 0)
+        readapt();
+      else
+        grow();
     on_mesh->conclude(summary);
   }
 
@@ -84,6 +84,61 @@ namespace Crevasse
 
   template <int dim>
   void
+  AdaptiveRun<dim>::change_mesh(
+    const std::function<void(StateTransfer<dim> &)> &change)
+  {
+    const Body<dim>   &old        = on_mesh->body;
+    const unsigned int n_branches = old.law.branches.size();
+    // The mesh of the transfer; the runs get another one.
+    const std::shared_ptr<Mesh<dim>> mesh = adapted.mesh();
+    StateTransfer<dim>               transfer(*mesh,
+                                old.space,
+                                old.points,
+                                state.displacement,
+                                state.viscous_strain,
+                                n_branches);
+    on_mesh.reset(); // the mesh changes next
+    change(transfer);
+    state.method_failed = false;
+    state.was_resumed   = false;
+    on_mesh             = std::make_unique<Run<dim>>(
+      scene, adapted.mesh(), log, checkpoints, state);
+    const Body<dim> &body = on_mesh->body;
+    body.strain_operator.initialize(state.displacement);
+    body.points.initialize(state.viscous_strain, n_branches);
+    transfer.take(body.space,
+                  body.points,
+                  state.displacement,
+                  state.viscous_strain);
+  }
+
+
+
+  template <int dim>
+  void
+  AdaptiveRun<dim>::grow()
+  {
+    const Stopwatch    watch("mesh adaptation");
+    const unsigned int periods = state.result.periods;
+    const double       length  = scene.geometry.crack_growth->at(periods);
+    on_mesh->body.material.convert(&CreepPoint<dim>::strains,
+                                   state.viscous_strain);
+    change_mesh([&](StateTransfer<dim> &transfer) {
+      transfer.adapt();
+      adapted.grow(length);
+      scene.geometry.crack_length = length;
+    });
+    on_mesh->body.material.convert(&CreepPoint<dim>::state,
+                                   state.viscous_strain);
+    log.line(Text::Message() << "  the crack grows to a length of " << length);
+    summary["crack_growth"].push_back(
+      {{"after_period", periods}, {"crack_length", length}});
+  }
+
+
+
+  template <int dim>
+  void
   AdaptiveRun<dim>::readapt()
   {
     const Stopwatch             watch("mesh adaptation");
@@ -97,32 +152,15 @@ namespace Crevasse
       field_norms(old.space, state.viscous_strain, n_branches);
     if (scene.refinement.tolerance == 0. || error > scene.refinement.tolerance)
       adapted.flag(estimator.squares(), old.space.n_independent_unknowns());
-    const std::shared_ptr<Mesh<dim>> mesh = adapted.mesh();
-    StateTransfer<dim>               transfer(*mesh,
-                                old.space,
-                                old.points,
-                                state.displacement,
-                                state.viscous_strain,
-                                n_branches);
-    const double                     moved_before =
+    const double moved_before =
       old.space.nodal_values(state.displacement).linfty_norm();
-    on_mesh.reset(); // the mesh changes next
-    do
-      transfer.adapt();
-    while (flag_unmatched_lips(*mesh, boundary_roles(scene)));
-    adapted.renew();
-    state.method_failed = false;
-    state.was_resumed   = false;
-    on_mesh             = std::make_unique<Run<dim>>(
-      scene, adapted.mesh(), log, checkpoints, state);
-
-    const Body<dim> &body = on_mesh->body;
-    body.strain_operator.initialize(state.displacement);
-    body.points.initialize(state.viscous_strain, n_branches);
-    transfer.take(body.space,
-                  body.points,
-                  state.displacement,
-                  state.viscous_strain);
+    change_mesh([this](StateTransfer<dim> &transfer) {
+      do
+        transfer.adapt();
+      while (flag_unmatched_lips(*adapted.mesh(), boundary_roles(scene)));
+      adapted.renew();
+    });
+    const Body<dim>      &body = on_mesh->body;
     const FieldNorms<dim> after =
       field_norms(body.space, state.viscous_strain, n_branches);
     body.material.convert(&CreepPoint<dim>::state, state.viscous_strain);

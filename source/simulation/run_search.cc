@@ -228,10 +228,13 @@ namespace Crevasse
     if (parameters.maximum_periods == 0)
       return true;
     const Stopwatch    phase("time stepping");
+    const auto        &growth      = *scene.geometry.crack_growth;
+    const auto         next        = growth.upper_bound(state.result.periods);
     const unsigned int last_period = // on this mesh
       scene.refinement.readapt_every > 0
         ? state.result.periods + scene.refinement.readapt_every
-        : std::numeric_limits<unsigned int>::max();
+      : next != growth.end() ? next->first
+                             : std::numeric_limits<unsigned int>::max();
     std::vector<Observer *> all;
     for (const auto &observer : observers)
       all.push_back(observer.get());

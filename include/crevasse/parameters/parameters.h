@@ -20,6 +20,10 @@ namespace Crevasse
   std::vector<unsigned int>
   parse_subdivisions(const std::string &text);
 
+  /** Parses pairs of a number of periods and the crack length after them. */
+  std::map<unsigned int, double>
+  parse_crack_growth(const std::string &text);
+
   /**
    * Parameters of section Geometry. Each section of a scene file has a plain
    * struct, which declares its entries (name, default, documentation, range) in
@@ -31,12 +35,14 @@ namespace Crevasse
   {
     static constexpr const char *section = "Geometry";
 
-    Shape       shape        = Shape::edge_crack;
-    double      width        = 1.;
-    double      height       = 1.;
-    double      thickness    = 1.; ///< thickness in three dimensions
-    double      crack_length = 0.5;
-    std::string mesh_file;
+    Shape  shape        = Shape::edge_crack;
+    double width        = 1.;
+    double height       = 1.;
+    double thickness    = 1.;  ///< thickness in three dimensions
+    double crack_length = 0.5; ///< present length
+    /** Lengths to which the crack grows after numbers of periods. */
+    Parsed<std::map<unsigned int, double>> crack_growth{"", parse_crack_growth};
+    std::string                            mesh_file;
     std::string converted_mesh_file; ///< Gmsh file made from mesh_file
     const std::string &
     file_to_read() const

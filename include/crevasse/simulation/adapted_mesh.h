@@ -47,7 +47,8 @@ namespace Crevasse
                 Log           &log,
                 Checkpoints   &checkpoints);
 
-    /** Serialises the estimates; the mesh is saved with the fields. */
+    /** Serialises the estimates and the crack length; the mesh is saved with
+     * the fields. */
     void
     serialize(StateArchive &archive);
 
@@ -72,6 +73,18 @@ namespace Crevasse
     void
     renew();
 
+    /** Replaces the mesh by one with the same cells and a longer crack.
+     * Collective. @throw SceneError if that crack needs other cells. */
+    void
+    grow(const double crack_length);
+
+    /** Length of a built-in crack in the mesh. */
+    double
+    crack_length() const
+    {
+      return scene.geometry.crack_length;
+    }
+
     /** Adds "refinement" to summary.json. */
     void
     add_to(Summary &summary) const;
@@ -95,7 +108,7 @@ namespace Crevasse
     bool
     advance(const dealii::Vector<float> &squares);
 
-    const Scene                scene; ///< scene, with fast solvers
+    Scene                      scene; ///< scene, with fast solvers
     std::shared_ptr<Mesh<dim>> current;
     /** Estimates on all meshes up to the current one; none: not adapted. */
     std::vector<MeshEstimate> all;

@@ -4,6 +4,7 @@
 #ifndef crevasse_simulation_adaptive_run_h
 #define crevasse_simulation_adaptive_run_h
 
+#include <crevasse/model/state_transfer.h>
 #include <crevasse/simulation/adapted_mesh.h>
 #include <crevasse/simulation/run.h>
 
@@ -48,14 +49,21 @@ namespace Crevasse
     void
     serialize_summary(StateArchive &archive);
 
-    /** Adapts the mesh to estimated errors, creates a new run on it, and
-     * transfers the fields. */
+    /** Adapts the mesh to estimated errors. */
     void
     readapt();
 
+    /** Lets the crack grow to its next length. */
+    void
+    grow();
+
+    /** Changes the mesh, creates a new run on it, and transfers the fields. */
+    void
+    change_mesh(const std::function<void(StateTransfer<dim> &)> &change);
+
     RunState                  state; ///< state, with its timer
     const Stopwatch           watch{all_else};
-    const Scene               scene;
+    Scene                     scene; ///< with the present crack length
     Log                      &log;
     Checkpoints              &checkpoints;
     AdaptedMesh<dim>          adapted;
