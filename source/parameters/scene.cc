@@ -245,8 +245,7 @@ namespace Crevasse
 
 
 
-    /** Checks Readapt every and Crack growth: the mesh can change only if
-     * nothing but the viscous strain is carried from one period to the next. */
+    /** Checks what changes the mesh, which takes along viscous strain alone. */
     void
     check_change_of_mesh(const Scene &scene, Problems &problems)
     {
@@ -263,11 +262,7 @@ namespace Crevasse
           Checker(GeometryParameters::section, problems)
             .demand(fulfilled, "Crack growth", "is not possible " + reason);
       };
-      demand(n == 0 || !grows,
-             "with both Crack growth and [Refinement] Readapt every");
-      demand(!grows || scene.periodic_state.tolerance == 0.,
-             "unless [Periodic state] Tolerance = 0: a crack that grows has no "
-             "periodic state");
+      demand(n == 0 || !grows, "with both of them");
       demand(scene.periodic_state.missions.empty(),
              "with [Periodic state] Missions, which leap on one mesh");
       demand(!scene.periodic_state.missions.empty() ||
@@ -283,8 +278,9 @@ namespace Crevasse
              "with [Discretisation] Singular functions: another mesh cannot "
              "represent the viscous strain that they cause");
       demand(n >= 3 || scene.periodic_state.tolerance == 0.,
-             "or at least 3 with [Periodic state] Tolerance > 0: on each mesh "
-             "the error of the stress is known from the third period on");
+             n > 0 ? "or at least 3 with [Periodic state] Tolerance > 0: its "
+                     "error is known from the third period on"
+                   : "unless [Periodic state] Tolerance = 0");
     }
 
 

@@ -535,8 +535,8 @@ answer "$program" x.prm --output my
 answer "$program" adv
 answer "$program" fig
 answer "$program" x.prm --che
-answer "$program" x.prm --set "\"Geometry/Crack"
-answer "$program" x.prm --set "'Geometry/Crack"
+answer "$program" x.prm --set "\"Geometry/Crack l"
+answer "$program" x.prm --set "'Geometry/Crack l"
 program=gone
 answer "$program" x.prm --vary Tit
 answer "$program" x.prm --che

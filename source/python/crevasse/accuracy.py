@@ -42,7 +42,8 @@ def arguments(words):
 class Accuracy:
     def __init__(self, options, program, log):
         self.wish, self.log = options.accuracy, log
-        self.names = [name.strip() for name in options.quantities.split(",") if name]
+        self.names = [name.strip() for name in options.quantities.split(",")
+                      if name.strip()]
         overrides = dict(text.partition("=")[::2] for text in options.set)
         scene = parse_parameters(program.parameters(options.scene, overrides))[0]
         self.title, self.scene, self.tries = options.scene.name, scene, []
@@ -142,8 +143,7 @@ class Accuracy:
     def steps(self):
         """How many times as many steps; other controls of steps are left as they are."""
         are_equal = self.scene["Time integration/Step control"] == "uniform"
-        is_viscous = self.scene["Material/Viscosity"] != "none"
-        return TIMES_STEPS if are_equal and is_viscous else [1]
+        return TIMES_STEPS if are_equal else [1]
 
     def time_part(self, steps):
         """What the try with the next smaller number of steps lets expect, by the order of
@@ -194,13 +194,16 @@ class Accuracy:
                 {"unknowns": one.run.unknowns, "steps": self.n * one.steps,
                  "processor_seconds": one.seconds, **one.parts} for one in self.tries]}
         write_file(path, json.dumps(summary, indent=2, ensure_ascii=False) + "\n")
+        for warning in summary.get("warnings", []):
+            self.log("  warning: " + warning)
         for name in last.names:
             self.log(row(name, last.bars[name]))
         settings = self.settings(last.mesh, last.steps)
         self.log(f"  reached {last.parts['bar']:.2g} in {seconds:.2g} s of CPU time, "
                  f"{last.run.seconds:.2g} s of them for the result, which has\n    "
                  + " ".join(f"--set \"{name}={value}\"" for name, value
-                            in settings.items() if str(value) != self.scene[name]))
+                            in settings.items() if str(value) != self.scene[name])
+                 + f"\n  results in {self.directory}")
         if why:
             raise CommandError(
                 f"the accuracy {self.wish:g} is not reached: {why}. The last try, with "

@@ -28,8 +28,7 @@ class Tries(Runs):
 
     def run(self, name, settings):
         settings = self.of_try | settings
-        key = tuple(sorted(item for item in as_text(settings).items()
-                           if item[0] != "Output/Fields"))
+        key = tuple(sorted(as_text(settings).items()))
         number = self.numbers.setdefault(key, f"{len(self.numbers) + 1:03}")
         self.known[name] = super().run(number, settings)
         return self.known[name]
@@ -89,7 +88,7 @@ class Try:
         self.parts, self.names, self.order = dict.fromkeys(PARTS, 0.), [], 99.
         self.worst = ""  # the quantity with the largest bar
         for name in asked or DEFAULT:
-            self.take(name, name not in DEFAULT)
+            self.take(name, bool(asked))
             if self.names and not asked:
                 break
         if not self.names:
@@ -104,6 +103,11 @@ class Try:
                 f"--for \"{asked}\": the run has no such quantity, but "
                 + ", ".join(self.kinds) + did_you_mean(asked, self.kinds), 2)
         scale = max((abs(self.bars[name]["value"]) for name in group), default=0.)
+        if group and not scale:
+            if is_required:
+                raise CommandError(f"{asked} is 0, so that it has no relative accuracy. "
+                                   "Name other quantities by --for.", 2)
+            return  # the next one serves
         for name in group:
             entry = self.bars[name]
             if entry["bar"] is None:
@@ -111,7 +115,7 @@ class Try:
                                    "quantities by --for.", 3)
             if not self.worst or entry["bar"] > self.parts["bar"] * scale:
                 self.worst = name
-            for part in PARTS if scale else ():
+            for part in PARTS:
                 self.parts[part] = max(self.parts[part], entry[part] / scale)
             self.order = min(self.order, self.choice.order_in_space(self.kinds[name]))
         self.names += group
