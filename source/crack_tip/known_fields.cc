@@ -19,7 +19,9 @@ namespace Crevasse
   KnownFields::KnownFields(const Body<2> &body, const TipRegion &region)
   {
     none.normal.assign(body.lip.nodes.size(), 0.);
-    unsigned int n_singular = 0; // w₁, D, w₃: the terms 1 and 3
+    // Singular functions of mode I are term 1, what completes it, and term 3:
+    // terms beyond their number are not in the space.
+    unsigned int n_singular = 0;
     if (const auto *shapes = body.space.singular_shapes())
       for (const SingularFunction &function : shapes->functions)
         n_singular += function.mode == CrackMode::opening &&
