@@ -15,7 +15,7 @@ from crevasse.accuracy_tries import PARTS, Mesh, Tries, Try
 from crevasse.bars_companions import ORDERS
 from crevasse.bars_text import row
 from crevasse.command import CommandError, Parser, write_file
-from crevasse.quantities import has_lip
+from crevasse.quantities import has_crack
 from crevasse.results import parse_parameters
 from crevasse.sweep import make_runs
 from crevasse.sweep_folder import RESULTS, Folder
@@ -83,7 +83,7 @@ class Accuracy:
         own = Mesh(1., {name: scene[name] for name in OF_MESH})
         lacks_functions = (
             scene["Discretisation/Singular functions"] in ("0", "automatic")
-            and has_lip(scene) and scene["Geometry/Shape"] != "rectangle"
+            and has_crack(scene)
             and scene["Refinement/Strategy"] != "adaptive")
         for elements in [BEST_AT_TIP] * lacks_functions + [{}]:
             self.common = common | elements

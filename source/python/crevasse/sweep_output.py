@@ -171,13 +171,14 @@ class Output:
 
     def columns(self):
         """The columns of the tables for people."""
+        bars = self.bars()
         for k, name in enumerate(self.plan.parameters):
             yield Column(name, self.short_name(name),
                          lambda p, k=k: self.plan.points[p].values[k])
         for name in self.findings():
             yield Column(name, name, lambda p, name=name: formatted(
                 self.results[p].findings.get(name), "%.5g"))
-            if name in self.bars():
+            if name in bars:
                 yield Column("bar:" + name, f"bar of {name}", lambda p, name=name:
                              formatted(self.results[p].bars.get(name), "%.1g"))
         for name in self.quantities:
