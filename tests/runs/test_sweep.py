@@ -170,6 +170,20 @@ def test_warnings():
     check("Field times" not in output, "what the sweep itself sets")
 
 
+def test_changed_file():
+    """Another file with the same name makes other results, not those already there."""
+    words = ("--vary", STEPS + "=20,40", "--set", "Tables/Files=history.csv",
+             "--set", "Loads/Traction=0; pull(t)")
+    found = []
+    for k, pull in enumerate((1, 2, 2)):
+        pathlib.Path("history.csv").write_text(f"t,pull\n0,0\n300,{pull}\n600,0\n")
+        rows, output = sweep("changed", *words, fresh=k == 0)
+        check(output.count("already there") == (2 if k == 2 else 0), output)
+        found.append(float(rows[0]["largest_stress"]))
+    check_below(abs(found[1] / found[0] - 2), 1e-9, "the stress of twice the load")
+    check(found[2] == found[1], "the same file")
+
+
 def test_resumption():
     """Killed in the middle: what is finished stays, the table is the same."""
     arguments = ("--vary", STEPS + "=20,40,80,6400,38400", "--reference",
@@ -395,7 +409,8 @@ def test_ranks():
 
 
 for test in (test_order_against_reference, test_order_against_closed_form,
-             test_columns_and_repeats, test_bars, test_zipped, test_warnings, test_resumption, test_points_without_results,
+             test_columns_and_repeats, test_bars, test_zipped, test_warnings, test_changed_file,
+             test_resumption, test_points_without_results,
              test_failing_point, test_no_error, test_numbers_are_no_texts,
              test_periodic_methods,
              test_too_few_instants, test_mistakes, test_ranks):

@@ -9,7 +9,7 @@ import json
 import shutil
 
 from crevasse.program import Outcome, assignments, without_numbers
-from crevasse.results import normal_form
+from crevasse.results import checksums, normal_form
 
 SOLVES_OF_A_FACTORISATION = 10
 
@@ -49,8 +49,9 @@ class Runs:
         self.program, self.scene, self.settings = program, scene, settings
         self.directory, self.log = directory, log
         self.logs_warnings = logs_warnings
-        self.base = hashlib.sha256(str(normal_form(
-            program.parameters(scene, settings))).encode()).hexdigest()
+        used = program.parameters(scene, settings)
+        self.base = hashlib.sha256(
+            f"{normal_form(used)}{checksums(used)}".encode()).hexdigest()
         self.known = {}
         self.warned = set()
 

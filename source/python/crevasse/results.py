@@ -10,13 +10,18 @@ import decimal
 import io
 import json
 import math
+import os
+import pathlib
 import re
 import xml.etree.ElementTree as ElementTree
+import zlib
 
 import numpy
 
 
 NAMES = ("Title", "Output directory", "Mesh file", "Temperature", "Files")
+FILES = ("Geometry/Mesh file", "Loads/Temperature", "Tables/Files",
+         "Crack tip/Growth table")  # whose values may be names of files
 NUMBER = re.compile(r"(?<![\w.])(\d+\.?\d*|\.\d+)([eE][-+]?\d+)?(?![\w.])")
 A_NUMBER, A_TEXT, YES_OR_NO = "number", "text", "yes or no"
 EACH = "each"  # whatever its name is
@@ -92,6 +97,15 @@ def normal_form(text):
             value = "".join(value.split())
         values[name] = value
     return values
+
+
+def checksums(text):
+    """{name: checksum} of the files that a text of used.prm names: another file with the
+    same name makes another scene."""
+    values = parse_parameters(text)[0]
+    names = [part.strip() for name in FILES for part in values.get(name, "").split(",")]
+    return {name: zlib.crc32(pathlib.Path(name).read_bytes())
+            for name in names if os.path.isfile(name)}
 
 
 def at(value, path):

@@ -13,7 +13,7 @@ import time
 
 from crevasse.command import CommandError, write_file
 from crevasse.program import Outcome
-from crevasse.results import ResultsError, read_summary, same_scenes
+from crevasse.results import ResultsError, checksums, read_summary, same_scenes
 from crevasse.sweep_errors import STRESS_FILE
 from crevasse.wording import plural
 
@@ -47,6 +47,7 @@ class Folder:
 
     def __init__(self, path, used):
         self.path, self.used, self.begin_time = path, used, 0.
+        self.inputs = checksums(used)
 
     def has_same_scene(self):
         try:
@@ -55,14 +56,15 @@ class Folder:
             return False
 
     def finished(self, with_bars=False):
-        """The result of this very run; None if it is missing or damaged, or lacks error
-        bars that are wanted."""
+        """The result of this very run; None if it is missing or damaged, if a file that
+        the scene names has changed, or if error bars that are wanted are missing."""
         if not self.has_same_scene():
             return None
         try:
             kept = json.loads((self.path / "finished.json").read_text())
-            if any((self.path / name).stat().st_size != size
-                   for name, size in kept["files"].items()):
+            if kept.get("inputs", {}) != self.inputs or any(
+                    (self.path / name).stat().st_size != size
+                    for name, size in kept["files"].items()):
                 return None
             result = Result(kept["status"], kept["message"], kept["costs"],
                             warnings=kept.get("warnings", []), errors=kept["errors"],
@@ -122,6 +124,6 @@ class Folder:
     def finish(self, result):
         files = sorted({path for pattern in NEEDED for path in self.path.glob(pattern)})
         write_file(self.path / "finished.json", json.dumps(
-            result.as_json() | {"files": {path.name: path.stat().st_size
+            result.as_json() | {"inputs": self.inputs, "files": {path.name: path.stat().st_size
                                           for path in files}},
             indent=2, ensure_ascii=False) + "\n")

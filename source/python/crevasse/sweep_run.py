@@ -12,7 +12,7 @@ import re
 from crevasse import findings
 from crevasse.command import CommandError, write_file
 from crevasse.quantities import LAST_PERIODS, is_periodic
-from crevasse.results import ResultsError, normal_form, parse_parameters
+from crevasse.results import ResultsError, checksums, normal_form, parse_parameters
 from crevasse.sweep_errors import (STRESS, STRESS_FILE, StressReader,
                                    choose_quantities, exact_error, history_error,
                                    no_error)
@@ -105,6 +105,7 @@ class Sweep:
     def basis(self):
         """Hash of the quantities whose errors are measured, and of their reference."""
         text = f"{self.quantities}" + (f"{self.periodic}{normal_form(self.used[0])}"
+                                       f"{checksums(self.used[0])}"
                                        if self.needs_reference else "")
         return hashlib.sha256(text.encode()).hexdigest()[:16]
 
