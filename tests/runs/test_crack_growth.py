@@ -5,7 +5,9 @@ resumed runs; cracks that need other cells."""
 
 import math
 
-from crevasse_run import SOURCE, check, check_below, execute, overrides, run
+import numpy
+
+from crevasse_run import SOURCE, check, check_below, execute, overrides, run, run_on
 
 SCENE = SOURCE / "tests/runs/plain.prm"
 TAU, PERIOD, GROWS = 60., 600., 3
@@ -64,6 +66,18 @@ def test_resumed():
                   == (whole.directory / name).read_bytes(), f"{first}: {name}")
 
 
+def test_ranks():
+    """On two processes, where cells of the lip change their owners: the same tables."""
+    growth = [*SETTINGS, "Loads/Traction=0; sin(2*pi*t/600)", f"{LENGTH}0.5",
+              f"{GROWTH}2: 0.55; 4: 0.6"]
+    one, two = run(SCENE, "one", growth), run_on(2, SCENE, "two", growth)
+    for name in ("crack_tip.csv", "probe_mouth.csv", "probe_top.csv", "contact.csv"):
+        for column, values in one.table(name).items():
+            values = numpy.array(values)
+            check_below(abs(two.table(name)[column] - values).max(),
+                        1e-9 * max(abs(values).max(), 1e-9), f"{name}: {column}")
+
+
 def test_refused():
     for words, message in (
             (["1: 0.61"], "needs other cells"), (["1: 0.4"], "must be greater than 0.5"),
@@ -75,5 +89,5 @@ def test_refused():
         check(status == 2 and message in error, f"{words}: {status}, {error}")
 
 
-for test in (test_closed_form, test_resumed, test_refused):
+for test in (test_closed_form, test_resumed, test_ranks, test_refused):
     test()
