@@ -47,6 +47,8 @@ def survey(gmsh, source, cracks):
     ends = {}
     for _, curve in model.getEntities(1):
         surfaces, vertices = model.getAdjacencies(1, curve)
+        if curve in own:
+            surfaces = []  # which OpenCASCADE gives to curves within them, too
         kinds, _, nodes = model.mesh.getElements(1, curve)
         for kind, row in zip(kinds, nodes):
             rows = row.reshape(-1, model.mesh.getElementProperties(kind)[3])[:, :2]
