@@ -204,6 +204,26 @@ end
         check(message in error, error)
 
 
+def test_mixed():
+    """An inclined crack, pulled and pressed: ranges are equivalents of two modes, of which
+    no K_min follows, and the crack would turn. The units are those of the scene."""
+    pathlib.Path("inclined.geo").write_text(
+        (SOURCE / "prm/inclined_crack.geo").read_text().replace(
+            "a = 0.25;", "DefineConstant[ a = {0.25, Name \"crack length\"} ];"))
+    words = [word for text in (
+        "Geometry/Mesh file=inclined.geo", "Geometry/Refinements=0", "Refinement/Cycles=1",
+        "Material/Viscosity=none", "Crack tip/Crack growth law=paris",
+        "Crack tip/Paris factor=1e-9", "Units=m, MPa, h, K") for word in ("--set", text)]
+    scene = SOURCE / "prm/inclined_crack.prm"
+    _, table, output = life("mixed", "--to", "0.4", "--tip", "2", "--error", "0.5", *words,
+                            scene=scene)
+    check((table["Delta_K"] > table["K_max"]).all(), "ranges of K_II from -K to K")
+    check(numpy.isnan(table["K_min"]).all() and numpy.isnan(table["K_op"]).all(), "K_min")
+    check("from a = 0.25 m on the crack would turn, there by 4" in output, output)
+    text = page(pathlib.Path("results/mixed"))[0]
+    check("crack length a (m)" in text and "to 0.4 (m)" in text, "units")
+
+
 def test_missions():
     """With missions the state at a length is that of its age, as of a run."""
     words = [*COARSE, "--set", "Material/Viscosity=relaxation time", "--set",
@@ -240,7 +260,9 @@ def test_history():
 
 def test_python():
     found = crevasse.life(STRIP, 0.2, 0.6, {"Geometry/Subdivisions": [10, 15],
-                          "Discretisation/Degree": 1}, error=0.5, output="results/python")
+                          "Discretisation/Degree": 1, "Output/Error bars": "true"},
+                          error=0.5, output="results/python")
+    check("bars" in crevasse.read("results/python/a_0.2").summary, "[Output] Error bars")
     check(found.summary["runs"] == 5 and found.table["N"].iloc[-1] == found.summary["N"],
           f"{found.summary}")
 
@@ -285,6 +307,8 @@ def test_infinite_plate():
         power = 1 - m / 2
         exact = (5.**power - 0.5**power) / (power * C * (s * math.sqrt(math.pi))**m)
         check_below(abs(N[-1] / exact - 1), 1e-9, f"infinite plate, m = {m}")
+    edges = edges_of([0.5, numpy.nextafter(5., 0.)], 0.5, 5.)
+    check((numpy.diff(edges) > 0.01).all(), "a length beside the end but for rounding")
 
 
 def growth(columns, *settings):
@@ -480,6 +504,11 @@ BROKEN = (
         "--from", "0.2", "--to", "0.6", *COARSE, "--law", "creep",
         *of_law("Creep factor=1")]),
     ("is for Dimension = 2", ["--set", "Dimension=3"]),
+    ("each run of a life has one crack length", [
+        "--set", "Periodic state/Method=march", "--set", "Periodic state/Tolerance=0",
+        "--set", "Material/Viscosity=relaxation time", "--set",
+        "Material/Relaxation time=1", "--set", "Discretisation/Singular functions=0",
+        "--set", "Geometry/Crack growth=1: 0.9"]),
     ("grows by 0.45, but the tip of the runs moves by 0.35", [
         "--vary", "Geometry/Crack length=0.15,0.3,0.5", "--lengths", "0.15,0.3,0.6",
         *COARSE]))

@@ -77,6 +77,24 @@ def test_border():
     check(name == "hole at (1.1, 0.55)", name)
 
 
+def test_fragments():
+    """OpenCASCADE gives a curve within a surface to its borders; a crack is none."""
+    pathlib.Path("fragments.geo").write_text("""
+SetFactory("OpenCASCADE");
+Rectangle(1) = {0, -2, 0, 2, 4};
+Point(11) = {0, 0, 0};
+Point(12) = {0.5, 0, 0};
+Line(11) = {11, 12};
+BooleanFragments{ Surface{1}; Delete; }{ Curve{11}; Delete; }
+crack[] = Curve In BoundingBox{-0.01, -0.01, -0.01, 0.51, 0.01, 0.01};
+Physical Curve("crack") = {crack[]};
+""")
+    body = Body("fragments.geo", False, ["crack"], None)
+    check_below(abs(body.tip - [0.5, 0]).max(), 1e-12, "tip")
+    gap, name = body.gap(body.tip)
+    check(name == "border at (0, 0)" and abs(gap - 0.5) < 1e-12, f"{name}, {gap}")
+
+
 def test_short_path():
     words = ["--step", "0.1", "--to", "0.7"]
     found, table, _ = path("short", *words)
@@ -116,6 +134,7 @@ def test_broken():
             ("crack is 0.5 long at the beginning", ["--to", "0.4"]),
             ("the path gives the lengths", ["--lengths", "1,2,3"]),
             ("is not a length", ["--step", "0"]),
+            ("curved_path.geo is 0.5 long. Draw one of this", ["--from", "1"]),
             ("choose a smaller --step", ["--step", "0.1", "--to", "0.6"]),
             ("no", ["--set", "Geometry/Mesh file=no_crack.geo"]),
             ("there are 2 crack tips: choose one by --tip N (1:", [
@@ -180,6 +199,7 @@ def test_deflection():
 test_tips()
 test_order()
 test_border()
+test_fragments()
 test_short_path()
 test_broken()
 test_three_holes()

@@ -4,10 +4,8 @@
 """The figures of a life: those of its page, for print."""
 
 from crevasse.histories import COLOURS
-from crevasse.life_output import charts_of, read
+from crevasse.life_output import charts_of, read, units_of
 from crevasse.plotting import add_legend, name_numbers, pyplot
-
-NAMES = {"a": "crack_length", "da/dN": "growth", "K": "stress_intensity", "C*": "C_star"}
 
 
 def drawings(options):
@@ -15,18 +13,18 @@ def drawings(options):
     ΔK, K and C* over a."""
     life, table = read(options.results)
     if "body" in life:
-        yield "path", draw_path(life["body"], table)
+        yield "path", draw_path(life["body"], table, units_of(life))
     for chart in charts_of(table, life):
         if chart["series"]:
-            yield NAMES[chart["y"].split()[-1]], draw(chart)
+            yield chart["name"], draw(chart)
 
 
-def draw_path(body, table):
+def draw_path(body, table, units):
     figure, axes = pyplot.subplots(figsize=(5.6, 3.6), constrained_layout=True)
     for outline in body:
         axes.plot(*zip(*outline), color="#777777", linewidth=0.8)
     axes.plot(table["x"], table["y"], color=COLOURS[0])
-    axes.set(xlabel="x", ylabel="y", aspect="equal")
+    axes.set(xlabel=units("x (length)"), ylabel=units("y (length)"), aspect="equal")
     return figure
 
 

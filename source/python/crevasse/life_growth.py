@@ -21,6 +21,7 @@ from crevasse.run_reader import Run
 # body under a given stress.
 DRIVERS = {"K_max": 0.5, "Delta_K": 0.5, "Delta_K_eff": 0.5, "C_star": 1.}
 ROUNDING = 1e-9
+MIXED = 0.1  # K_II of the equivalent K, from which on that is no K_I
 PARTS = 60  # between neighbouring lengths, each with Gauss points
 ROWS = 10  # of life.csv between neighbouring lengths
 GAUSS, WEIGHTS = numpy.polynomial.legendre.leggauss(4)
@@ -38,6 +39,7 @@ class Node:
     transition: float  # time until creep is steady
     creep: tuple  # growth a period, where a history drives it, also with the error
     theta: float = 0.  # temperature at K_max
+    is_mixed: bool = False  # whether K is the equivalent of two modes
 
 
 def last_period(table, period):
@@ -116,7 +118,9 @@ class Reader:
         return Node(a, drivers, (drivers["Delta_K"] >= K * (1 - ROUNDING), any(closed)),
                     error, tip["position"], self.angle(tip),
                     of_tip("transition_time") if self.needs_c_star else numpy.nan,
-                    creep, at(tip, ("theta",)) or 0.)
+                    creep, at(tip, ("theta",)) or 0., any(
+                        abs(of_tip("K_II", end)) > MIXED * K
+                        for end in ("largest", "smallest")))
 
     def angle(self, tip):
         """Direction of growth from straight ahead; of a path from the x axis."""
@@ -233,9 +237,6 @@ class Growth:
             total += share * growth
         return total
 
-    def largest_K(self, a):
-        return numpy.max([lines["K_max"](a) for lines in self.curves], axis=0)
-
     def length_at_toughness(self, start, end):
         """The length at which K_max reaches the toughness, from which on the law gives
         infinite growth; None if it does not."""
@@ -267,8 +268,8 @@ class Growth:
 
 
 def edges_of(nodes, start, end):
-    """Edges of the parts for the quadrature."""
-    inner = [a for a in nodes if start < a < end]
+    """Edges of the parts for the quadrature; none is as short as rounding."""
+    inner = [a for a in nodes if start * (1 + ROUNDING) < a < end * (1 - ROUNDING)]
     marks = [start, *inner, end]
     return numpy.concatenate([numpy.linspace(low, high, PARTS, endpoint=False)
                               for low, high in zip(marks, marks[1:])] + [[end]])

@@ -30,6 +30,9 @@ class Lengths:
         self.why, self.trusts, self.body_ends = "--to", options.trust_mesh, None
         self.geometry = scene["Geometry/Mesh file"] * (
             scene["Geometry/Shape"] == "mesh file")
+        if scene["Geometry/Crack growth"]:
+            raise CommandError(f"[Geometry] Crack growth = {scene['Geometry/Crack growth']}: "
+                               "each run of a life has one crack length. Leave it out.", 2)
         if options.vary or options.lengths:
             self.of_values(options)
         elif self.geometry.lower().endswith(".geo"):

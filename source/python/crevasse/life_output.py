@@ -4,6 +4,7 @@
 """life.csv and life.json of a life, and its page."""
 
 import csv
+import functools
 import io
 import json
 import math
@@ -12,20 +13,17 @@ import numpy
 from scipy.interpolate import PchipInterpolator
 
 from crevasse.command import write_file
+from crevasse.findings import INTENSITY
 from crevasse.histories import COLOURS
 from crevasse.life_growth import PARTS, ROWS
 from crevasse.page import render
 from crevasse.results import ResultsError, read_columns, shortest
+from crevasse.wording import in_units
 
 
 def finite(value):
     """The value for JSON, which knows no infinity."""
     return float(value) if math.isfinite(value) else None
-
-
-def difference(one, other):
-    """Exactly 0 where it is rounding."""
-    return numpy.where(numpy.isclose(one, other, 1e-9, 0.), 0., one - other)
 
 
 def columns(life, found, chosen):
@@ -38,14 +36,19 @@ def columns(life, found, chosen):
 
     def of_nodes(values):
         return PchipInterpolator(growth.a, values)(a)
+    is_mixed = of_nodes([float(node.is_mixed) for node in nodes]) > 0.
+
+    def lower(name):
+        """K_max less a range, which is a K_I unless these are equivalents of two modes;
+        exactly 0 where it is rounding."""
+        most, rest = drivers["K_max"], drivers[name]
+        return numpy.where(is_mixed, numpy.nan, numpy.where(
+            numpy.isclose(most, rest, 1e-9, 0.), 0., most - rest))
     return {"N": N, "t": N * life.period, "a": a,
             "x": of_nodes([node.place[0] for node in nodes]),
             "y": of_nodes([node.place[1] for node in nodes]),
-            "K_max": growth.largest_K(a),
-            "K_min": difference(drivers["K_max"], drivers["Delta_K"]),
-            "K_op": difference(drivers["K_max"], drivers["Delta_K_eff"]),
-            "Delta_K": drivers["Delta_K"], "Delta_K_eff": drivers["Delta_K_eff"],
-            "C_star": drivers["C_star"], "da_dN_fatigue": found.rates[0, rows],
+            "K_max": drivers["K_max"], "K_min": lower("Delta_K"),
+            "K_op": lower("Delta_K_eff"), **drivers, "da_dN_fatigue": found.rates[0, rows],
             "da_dN_creep": found.rates[1, rows],
             "angle": of_nodes([node.angle for node in nodes]),
             "N_error": found.errors[rows],
@@ -61,7 +64,7 @@ def write(life, found, chosen):
                            for x in values] for values in table.values())))
     write_file(life.directory / "life.csv", text.getvalue())
     description = {
-        "title": f"Life of {life.options.scene.name}", "law": life.law,
+        "title": f"Life of {life.options.scene.name}", "law": life.law, "units": life.units,
         "N": finite(found.N), "N_error": finite(found.errors[-1]),
         "N_error_of_lengths": finite(found.error_of_lengths),
         "N_error_of_meshes": finite(found.error_of_mesh),
@@ -102,7 +105,8 @@ def page(directory):
         chart["id"] = f"chart{k}"
     text = render("life.html", title=life["title"], directory=directory.resolve(),
                   picture=picture(table, life.get("body")), life=life, table=table,
-                  charts=charts, data={"charts": charts, "shades": [], "lip": False})
+                  in_units=units_of(life), charts=charts,
+                  data={"charts": charts, "shades": [], "lip": False})
     return text, [], [], []
 
 
@@ -124,36 +128,45 @@ def picture(table, outlines):
             "box": [low[0] - margin, -high[1] - margin, *(high - low + 2 * margin)]}
 
 
+def units_of(life):
+    """A function that gives labels the units of a life."""
+    return functools.partial(in_units, units=life.get("units", ""))
+
+
 def charts_of(table, life):
+    units = units_of(life)
+    length, K, span = map(units, ("crack length a (length)", f"K ({INTENSITY})",
+                                  f"ΔK ({INTENSITY})"))
     total = table["da_dN_fatigue"] + table["da_dN_creep"]
     N, a, error = table["N"], table["a"], table["N_error"]
-    yield chart("Crack length over periods", "periods N", "crack length a", [
+    yield chart("crack_length", "Crack length over periods", "periods N", length, [
         line("a(N)", N, a, 0), line("least N", N - error, a, 1, bare=True),
         line("largest N", N + error, a, 1, bare=True)])
     parts = [line(name, table["Delta_K"], table[f"da_dN_{name}"], 1 + k, bare=True)
              for k, name in enumerate(("fatigue", "creep")) if table[f"da_dN_{name}"].any()]
-    yield chart("Growth over ΔK", "ΔK", "da/dN",
+    yield chart("growth", "Growth over ΔK", span, units("da/dN (length)"),
                 [line("both", table["Delta_K"], total, 0), *parts] if len(parts) > 1
                 else parts, log=["x", "y"])
     computed = [node["a"] for node in life["lengths"]]
-    yield chart("Stress intensity over the length", "crack length a", "K", [
+    yield chart("stress_intensity", "Stress intensity over the length", length, K, [
         line(name, a, table[name], k, bare=True)
         for k, name in enumerate(("K_max", "K_min", "K_op"))] + [
         line("computed", computed, [node["K_max"] or math.nan for node in life["lengths"]],
              0, loose=True)])
     if numpy.nanmax(table["C_star"], initial=0.) > 0.:
-        yield chart("C* over the length", "crack length a", "C*",
+        yield chart("C_star", "C* over the length", length,
+                    units("C* (stress × length / time)"),
                     [line("C*", a, table["C_star"], 0)], log=["y"])
 
 
-def chart(title, x, y, series, log=()):
+def chart(name, title, x, y, series, log=()):
     shown = []
     for one in series:
         one["points"] = [point for point in one["points"] if all(
             math.isfinite(value) and (value > 0. or name not in log)
             for name, value in zip("xy", point))]
         shown += [one] if one["points"] else []
-    return {"kind": "points", "title": title, "x": x, "y": y, "what": title,
+    return {"kind": "points", "name": name, "title": title, "x": x, "y": y, "what": title,
             "log": list(log), "series": shown}
 
 

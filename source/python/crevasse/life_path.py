@@ -13,16 +13,16 @@ from numpy.linalg import norm
 
 from crevasse.command import CommandError
 from crevasse.life_body import Body
-from crevasse.life_run import Life
+from crevasse.life_run import LARGEST_KINK, Life
 from crevasse.wording import plural
 
-LARGEST_KINK = 5.  # degrees, beyond which the next step is halved
 GAP = 2.5  # steps from a border, below which the step is halved
 SMALLEST = 1 / 32  # of the step
 FACTORS = 1., 0.8, 0.5  # of the mesh size, where a mesh fails
 MOST_STEPS = 2000
 RICHARDSON = 1 / 3  # of the difference that doubled steps of second order make
 ROUNDING = 1e-9
+AS_DRAWN = 1e-3  # difference of --from and the crack
 
 
 def unit(degrees):
@@ -62,7 +62,11 @@ class PathLife(Life):
         cracks = [name.strip() for role in ("Crack", "Open crack")
                   for name in scene[f"Boundary/{role}"].split(",") if name.strip()]
         self.body = Body(source, options.trust_mesh, cracks, options.tip)
-        start = options.start or self.body.length
+        start = self.body.length
+        if options.start and abs(options.start / start - 1) > AS_DRAWN:
+            raise CommandError(f"--from {options.start:g}: the crack of {source} is "
+                               f"{start:g} long. Draw one of this length, or leave out "
+                               "--from.", 2)
         if options.end and options.end <= start:
             raise CommandError(f"--to {options.end:g}: the crack is {start:g} long at the "
                                "beginning; give a longer one.", 2)

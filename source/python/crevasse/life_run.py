@@ -33,6 +33,7 @@ ENDS = {"--to": "the length of --to", "last length": "the last of --lengths",
         "K_c": "K_max reaches the toughness", "arrest": "the crack does not grow",
         "ligament": "what is left of the ligament is too small",
         "law": "the law gives no growth for what drives it here"}
+LARGEST_KINK = 5.  # degrees, of straight growth and between steps of a path
 STEADY = 0.1  # of the ligament: growth within the time until creep is steady
 
 
@@ -61,6 +62,7 @@ class Life:
         scenes = [parse_parameters(text)[0] for text in texts]
         self.readers = [Reader(program, file, options.set, scene, options.tip)
                         for file, scene in zip(self.files, scenes)]
+        options.bars |= any(scene["Output/Error bars"] == "true" for scene in scenes)
         self.law = scenes[0]["Crack tip/Crack growth law"]
         self.units = scenes[0]["Units"]
         self.lengths = self.possible_lengths(options, scenes[0])
@@ -227,7 +229,7 @@ class Life:
             why = "law" if numpy.isnan(total[k]) else "arrest"
             if why == "law" and k == 0:
                 raise CommandError(f"The law gives no growth at a = {start:g}, K_max = "
-                                   f"{growth.largest_K(start):.5g}: is it outside the "
+                                   f"{growth.curves[0]['K_max'](start):.5g}: is it outside the "
                                    "growth table?", 2)
             found.end = found.edges[k]
             cut = slice(0, k + (why == "arrest"))
@@ -266,6 +268,8 @@ class Life:
         for text in itertools.chain(*self.run_warnings.values()):
             self.warnings.setdefault(without_numbers(text), text)
         self.describe_transition(found, chosen)
+        if not self.is_path:
+            self.warn_of_turn()
         life_output.write(self, found, chosen)
         for text in self.warnings.values():
             self.log("  warning: " + text)
@@ -281,25 +285,38 @@ class Life:
                 found.error_of_mesh >= found.error_of_lengths else
                 "there are no more lengths; " + (
                     "give more values of --vary, with their --lengths." if self.options.vary
+                    else "K varies from mesh to mesh: refine them." if self.lengths.geometry
                     else "allow more by finer Subdivisions."))
 
+    def warn_of_turn(self):
+        turning = [node for node in self.nodes.values() if abs(node.angle) > LARGEST_KINK]
+        if turning:
+            first = min(turning, key=lambda node: node.a)
+            self.warnings["turn"] = (
+                f"from a = {self.text(first.a)} on the crack would turn, there by "
+                f"{abs(first.angle):.2g} degrees: this life is that of straight growth. "
+                "--path lets it turn, in a body from a .geo file")
+
     def describe_transition(self, found, chosen):
-        """How much the crack grows until creep is steady, part of the ligament, at the
-        edges; nan without growth by C*."""
+        """How much the crack grows until creep is steady, part of the ligament or, where
+        that is not known, of its length, at the edges; nan without growth by C*."""
         nodes = [self.nodes[0, k] for k in sorted(chosen)]
         times = numpy.array([node.transition for node in nodes])
         found.transition = numpy.full(len(found.edges), numpy.nan)
         if numpy.isnan(times).any():
             return
         time = PchipInterpolator(found.growth.a, times)(found.edges)
-        rest = (self.lengths.body_ends or 2 * found.edges) - found.edges
+        whole = self.lengths.body_ends
+        rest, of_rest = (whole - found.edges, "of the ligament") if whole else (
+            found.edges, "of its length")
         found.transition = found.rates.sum(axis=0) * time / self.period / rest
         largest = found.transition.max()
         self.log("  creep is steady after a time of at most "
                  f"{self.text(times.max(), 'time', 4)}; the crack grows meanwhile by at most "
-                 f"{self.text(100 * largest, '%', 2)} % of the ligament")
+                 f"{self.text(100 * largest, '%', 2)} % {of_rest}")
         if largest > STEADY:
             a = found.edges[(found.transition > STEADY).argmax()]
             self.warnings["transition"] = (
                 f"from a = {self.text(a, digits=4)} on the crack grows by more than "
-                f"{100 * STEADY:g} % of the ligament before creep is steady: C* does not describe its growth there")
+                f"{100 * STEADY:g} % {of_rest} before creep is steady: C* does not describe "
+                "its growth there")
