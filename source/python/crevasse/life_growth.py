@@ -14,7 +14,7 @@ from scipy.interpolate import BarycentricInterpolator, PchipInterpolator
 from crevasse import findings
 from crevasse.command import CommandError
 from crevasse.program import message_of, options
-from crevasse.results import at, number
+from crevasse.results import at
 from crevasse.run_reader import Run
 
 # What the law depends on, and the power of the length with which it grows in a large
@@ -63,7 +63,6 @@ class Reader:
         self.history = {"C(t)": "C_t", "stress intensity": "K"}.get(driver)
         self.needs_K = driver != "C(t)"
         self.effective = scene["Crack tip/Growth range"] == "Delta K eff"
-        self.has_toughness = number(scene["Crack tip/Fracture toughness"]) != 0.
         self.tip, self.place = tip, None  # a number, or near which place
 
     def ask(self, drivers):
@@ -134,14 +133,13 @@ class Reader:
         return angle + numpy.degrees(numpy.arctan2(y, x))
 
     def require(self, a, tip, drivers):
-        if self.needs_K and numpy.isnan(drivers["K_max"]):
-            raise CommandError(f"at a = {a:g} K is not known: "
-                               f"{tip.get('no_K', 'the run has no K')}", 3)
-        if self.needs_c_star and numpy.isnan(drivers["C_star"]):
-            raise CommandError(f"at a = {a:g} C* is not known: {tip.get('no_C_star')}", 2)
-        if self.effective and numpy.isnan(drivers["Delta_K_eff"]):
-            raise CommandError(f"at a = {a:g} Delta_K_eff is not known: "
-                               f"{tip.get('no_K_opening')}", 3)
+        for needed, driver, name, why, status in (
+                (self.needs_K, "K_max", "K", "no_K", 3),
+                (self.needs_c_star, "C_star", "C*", "no_C_star", 2),
+                (self.effective, "Delta_K_eff", "Delta_K_eff", "no_K_opening", 3)):
+            if needed and numpy.isnan(drivers[driver]):
+                raise CommandError(f"at a = {a:g} {name} is not known: "
+                                   f"{tip.get(why, 'the run has none')}", status)
 
     def table(self, run):
         """Instants, driver of creep and temperatures in the last period."""
@@ -237,25 +235,22 @@ class Growth:
             total += share * growth
         return total
 
-    def length_at_toughness(self, start, end):
-        """The length at which K_max reaches the toughness, from which on the law gives
-        infinite growth; None if it does not."""
-        if not any(reader.has_toughness for reader in self.readers):
-            return None
+    def end(self, start, end):
+        """The length at which the growth ends, and why if before the given end: at the
+        toughness the law gives infinite growth, at rest none, beyond a table nan."""
+        why = ""
         for _ in range(4):  # to 1e-12
             a = numpy.linspace(start, end, 1001)
-            beyond = numpy.isinf(self.rates(a)[0])
-            if not beyond.any():
-                return None
-            k = beyond.argmax()
-            if k == 0:
-                return start
-            start, end = a[k - 1], a[k]
-        return end
+            total = self.rates(a).sum(axis=0)
+            k = int((~((total > 0.) & (total < numpy.inf))).argmax())
+            if 0. < total[k] < numpy.inf:
+                break
+            why = ("K_c" if total[k] > 0. else "arrest" if total[k] == 0. else "law")
+            start, end = a[max(k - 1, 0)], a[k]
+        return start if why == "law" else end, why
 
     def integrate(self, edges):
-        """Lengths at the edges of parts, the growth and N there, up to where the law
-        gives growth."""
+        """The growth and N at the edges of parts."""
         middle, half = (edges[1:] + edges[:-1]) / 2, numpy.diff(edges) / 2
         inner = (middle[:, None] + half[:, None] * GAUSS).ravel()
         rates = self.rates(numpy.concatenate([edges, inner]))
@@ -263,7 +258,7 @@ class Growth:
         with numpy.errstate(divide="ignore"):
             periods = numpy.nan_to_num(1 / total[len(edges):], nan=numpy.inf,
                                        posinf=numpy.inf).reshape(
-                len(half), -1) @ WEIGHTS * half
+                -1, len(GAUSS)) @ WEIGHTS * half
         return rates[:, :len(edges)], numpy.concatenate([[0.], numpy.cumsum(periods)])
 
 
@@ -271,5 +266,5 @@ def edges_of(nodes, start, end):
     """Edges of the parts for the quadrature; none is as short as rounding."""
     inner = [a for a in nodes if start * (1 + ROUNDING) < a < end * (1 - ROUNDING)]
     marks = [start, *inner, end]
-    return numpy.concatenate([numpy.linspace(low, high, PARTS, endpoint=False)
-                              for low, high in zip(marks, marks[1:])] + [[end]])
+    return numpy.unique([numpy.linspace(low, high, PARTS + 1)
+                         for low, high in zip(marks, marks[1:])])

@@ -13,7 +13,7 @@ from numpy.linalg import norm
 
 from crevasse.command import CommandError
 from crevasse.life_body import Body
-from crevasse.life_run import LARGEST_KINK, Life
+from crevasse.life_run import ENDS, LARGEST_KINK, Life
 from crevasse.wording import plural
 
 GAP = 2.5  # steps from a border, below which the step is halved
@@ -80,7 +80,12 @@ class PathLife(Life):
                  f"{self.body.tip[1]:g}), steps of {self.text(self.step)}")
         self.follow()
         if len(self.steps) < 2:
-            self.refuse_short_path()
+            why, K = self.lengths.why, self.nodes[0, self.chosen[-1]].drivers["K_max"]
+            is_law = why in ("arrest", "law")
+            raise CommandError(
+                f"The path ends after {plural(len(self.steps), 'step')}, at a = {self.a:g} "
+                f"with K_max = {K:.5g}: {ENDS.get(why, why)}"
+                + ("." if is_law else "; choose a smaller --step."), 3 if is_law else 2)
         self.log("  the same with doubled steps, for the errors")
         options = copy.copy(self.options)
         options.output, options.step = self.directory / "doubled_steps", 2 * self.step
@@ -108,17 +113,6 @@ class PathLife(Life):
                  f"({x:.5g}, {y:.5g}), estimated error "
                  f"{self.text(found.path_error[-1], digits=2)}")
         self.conclude(found, self.chosen)
-
-    def refuse_short_path(self):
-        K = self.nodes[0, self.chosen[-1]].drivers["K_max"]
-        if self.lengths.why in ("arrest", "law"):
-            raise CommandError(f"At a = {self.a:g}, K_max = {K:.5g}, " + (
-                "the crack does not grow: its life is infinite." if self.lengths.why
-                == "arrest" else "the law gives no growth: is it outside the growth "
-                "table?"), 3)
-        raise CommandError(f"The path ends after {plural(len(self.steps), 'step')} of "
-                           f"{self.step:g}, by {self.lengths.why}: choose a smaller "
-                           "--step.", 2)
 
     def follow(self, given=()):
         """Lets the crack grow by given steps, or until something ends it."""

@@ -30,7 +30,7 @@ CYCLES = "Refinement/Cycles"  # which halve the cells at the tip alone
 MOST_REFINEMENTS = {CYCLES: 4, "Geometry/Refinements": 2}  # of the meshes of the scene
 CHORD = 0.9, 1.02  # distance of two tips, of the growth between them
 ENDS = {"--to": "the length of --to", "last length": "the last of --lengths",
-        "K_c": "K_max reaches the toughness", "arrest": "the crack does not grow",
+        "K_c": "K_max reaches the toughness", "arrest": "the crack does not grow: its life is infinite",
         "ligament": "what is left of the ligament is too small",
         "law": "the law gives no growth for what drives it here"}
 LARGEST_KINK = 5.  # degrees, of straight growth and between steps of a path
@@ -216,28 +216,19 @@ class Life:
 
     def estimate(self, chosen):
         """N up to the end of the growth, and its errors, with the chosen lengths."""
-        start, end = self.lengths.start, self.lengths.end
-        growth, why = self.growth(chosen), self.lengths.why
-        if (at_toughness := growth.length_at_toughness(start, end)) is not None:
-            end, why = at_toughness, "K_c"
-        found = types.SimpleNamespace(growth=growth, kink=growth.kink(), end=end)
+        growth, start = self.growth(chosen), self.lengths.start
+        end, why = growth.end(start, self.lengths.end)
+        if why == "law" and end == start:
+            raise CommandError(f"The law gives no growth at a = {start:g}, K_max = "
+                               f"{growth.curves[0]['K_max'](start):.5g}: is it outside the "
+                               "growth table?", 2)
+        found = types.SimpleNamespace(growth=growth, kink=growth.kink(), end=end,
+                                      why=why or self.lengths.why)
         found.edges = edges_of(growth.a, start, end)
         found.rates, found.periods = growth.integrate(found.edges)
-        total = found.rates.sum(axis=0)
-        if not (total > 0.).all():
-            k = int((~(total > 0.)).argmax())
-            why = "law" if numpy.isnan(total[k]) else "arrest"
-            if why == "law" and k == 0:
-                raise CommandError(f"The law gives no growth at a = {start:g}, K_max = "
-                                   f"{growth.curves[0]['K_max'](start):.5g}: is it outside the "
-                                   "growth table?", 2)
-            found.end = found.edges[k]
-            cut = slice(0, k + (why == "arrest"))
-            found.edges, found.periods = found.edges[cut], found.periods[cut]
-            found.rates = found.rates[:, cut]
-            if why == "arrest":
-                found.periods[-1] = numpy.inf
-        found.why, found.N = why, found.periods[-1]
+        if why == "arrest":
+            found.periods[-1] = numpy.inf
+        found.N = found.periods[-1]
         self.estimate_errors(found, chosen)
         return found
 
@@ -253,7 +244,9 @@ class Life:
         if numpy.isfinite(found.N) and found.N > 0.:
             for name, other, factor in self.comparisons(chosen):
                 difference = factor * abs(other.integrate(found.edges)[1] - found.periods)
-                difference[~numpy.isfinite(difference)] = numpy.inf
+                known = numpy.isfinite(difference)  # not beyond the end of a table
+                difference[~known] = (difference[known].max() if found.why == "law"
+                                      else numpy.inf)
                 setattr(found, name, difference[-1])
                 found.errors = found.errors + difference
         error = found.errors[-1]
