@@ -12,6 +12,7 @@ from scipy.sparse import coo_matrix
 from scipy.sparse.csgraph import connected_components
 
 from crevasse.command import CommandError
+from crevasse.life_growth import index_of_tip
 from crevasse.mesh_geo import by_gmsh, mesh_in
 from crevasse.mesh_parts import Mistake
 from crevasse.results import shortest
@@ -91,12 +92,8 @@ class Body:
                     f"{source}: the crack begins at ({shortest(x)}, {shortest(y)}) on a "
                     "border that has no point there, and would stay closed there. Let the "
                     "border have this point, as the end of two of its curves.", 2)
-        if len(tips) > 1 and not tip or tip and tip > len(tips):
-            raise CommandError(f"{source}: there are {len(tips)} crack tips: choose one by "
-                               "--tip N (" + "; ".join(
-                                   f"{k}: ({shortest(x)}, {shortest(y)})"
-                                   for k, (_, (x, y), *_) in enumerate(tips, 1)) + ").", 2)
-        self.vertex, place, self.group, self.surface = tips[(tip or 1) - 1]
+        index = index_of_tip([place for _, place, *_ in tips], tip)
+        self.vertex, place, self.group, self.surface = tips[index]
         self.tip = numpy.array(place)
         border = [line for line in lines if line[2] or line[3] not in (None, self.group)]
         nodes = numpy.array([line[:2] for line in border])

@@ -47,6 +47,16 @@ def last_period(table, period):
     return table["t"] >= table["t"][-1] - (1 + ROUNDING) * period
 
 
+def index_of_tip(places, tip):
+    """The place of the tip with this number, which the user must give if there are several."""
+    if len(places) > 1 and not tip or tip and tip > len(places):
+        numbered = "; ".join(f"{k}: ({', '.join(f'{x:g}' for x in place)})"
+                             for k, place in enumerate(places, 1))
+        raise CommandError(f"there are {len(places)} crack tips: choose one by --tip N "
+                           f"({numbered}).", 2)
+    return (tip or 1) - 1
+
+
 class Reader:
     """Reads nodes from runs of a scene, and asks the program for growth by its law."""
 
@@ -84,12 +94,7 @@ class Reader:
         if self.place is not None:
             distances = [numpy.linalg.norm(self.place - tip["position"]) for tip in tips]
             self.tip = 1 + int(numpy.argmin(distances))
-        if len(tips) > 1 and not self.tip or self.tip and self.tip > len(tips):
-            places = "; ".join(f"{k}: ({', '.join(f'{x:g}' for x in tip['position'])})"
-                               for k, tip in enumerate(tips, 1))
-            raise CommandError(f"there are {len(tips)} crack tips: choose one by --tip N "
-                               f"({places}).", 2)
-        return tips[(self.tip or 1) - 1]
+        return tips[index_of_tip([tip["position"] for tip in tips], self.tip)]
 
     def node(self, a, directory):
         run = Run(directory)

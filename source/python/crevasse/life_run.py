@@ -30,7 +30,8 @@ CYCLES = "Refinement/Cycles"  # which halve the cells at the tip alone
 MOST_REFINEMENTS = {CYCLES: 4, "Geometry/Refinements": 2}  # of the meshes of the scene
 CHORD = 0.9, 1.02  # distance of two tips, of the growth between them
 ENDS = {"--to": "the length of --to", "last length": "the last of --lengths",
-        "K_c": "K_max reaches the toughness", "arrest": "the crack does not grow: its life is infinite",
+        "K_c": "K_max reaches the toughness",
+        "arrest": "the crack does not grow: its life is infinite",
         "ligament": "what is left of the ligament is too small",
         "law": "the law gives no growth for what drives it here"}
 LARGEST_KINK = 5.  # degrees, of straight growth and between steps of a path
@@ -246,7 +247,7 @@ class Life:
                 difference = factor * abs(other.integrate(found.edges)[1] - found.periods)
                 known = numpy.isfinite(difference)  # not beyond the end of a table
                 difference[~known] = (difference[known].max() if found.why == "law"
-                                      else numpy.inf)
+                                      and known.any() else numpy.inf)
                 setattr(found, name, difference[-1])
                 found.errors = found.errors + difference
         error = found.errors[-1]
