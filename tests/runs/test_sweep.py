@@ -131,6 +131,9 @@ def test_bars():
     sweep("barred", *words, scene=CRACK)
     rows, output = sweep("barred", *words, "--bars", scene=CRACK)
     check("already there" not in output, "computed again")
+    asked, output = sweep("asked", *words, "--set", "Output/Error bars=true", scene=CRACK)
+    check([row["bar:opening"] for row in asked] == [row["bar:opening"] for row in rows],
+          "[Output] Error bars is --bars")
     fine, _ = sweep("unbarred", *words, "--set", "Geometry/Subdivisions=40, 20",
                     "--set", STEPS + "=640", scene=CRACK)
     for row, best in zip(rows, fine):

@@ -145,9 +145,12 @@ class Sweep:
         call = folder.begin(self.program, self.options.scene,
                             [*self.options.set, *self.settings[k]],
                             *["--stress-record"] * (STRESS in self.quantities),
-                            *["--bars"] * (self.options.bars and k > 0
+                            *["--bars"] * (self.wants_bars(k)
                                            and repetition == self.options.repeat))
         self.running[call] = k, folder
+
+    def wants_bars(self, k):
+        return k > 0 and (self.options.bars or self.scenes[k]["Output/Error bars"] == "true")
 
     def finish_one(self):
         call = self.program.finish(*self.running, show_progress=self.show_progress)
@@ -243,7 +246,7 @@ class Sweep:
     def stored(self, folder, number):
         """The result of an earlier run, with errors against the present reference; None
         if there is none."""
-        result = folder.finished(self.options.bars)
+        result = folder.finished(self.wants_bars(number + 1))
         if result and 0 < result.costs.get("repeats", 0) < self.options.repeat:
             return None
         if (result and result.has_results and self.quantities
