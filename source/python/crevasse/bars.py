@@ -15,9 +15,8 @@ import numpy
 
 from crevasse.advise_runs import Runs
 from crevasse.bars_companions import SAFETY, SMALLEST_RATIO, Choice, factor
-from crevasse.bars_compare import (Histories, difference, largest, largest_intensity,
-                                   mode_two_of_closed_tip, quantities_of,
-                                   relative_error_of_tip)
+from crevasse.bars_compare import (Histories, difference, error_of_tip, largest,
+                                   mode_two_of_closed_tip, quantities_of, with_intensity)
 from crevasse.bars_text import table_of, to_halve
 from crevasse.command import CommandError, Parser, write_file
 from crevasse.quantities import has_two_lips
@@ -154,8 +153,9 @@ class Bars:
             kind = "opening"
         part = self.choice.mesh_part(kind, changes, [mesh.ratio for mesh, _ in self.meshes])
         of_sliding = SLIDING * mode_two_of_closed_tip(quantity, self.mine)
-        of_run = relative_error_of_tip(quantity, self.mine) if len(changes) == 1 else 0.
-        return max(part, SAFETY * min(abs(value), of_sliding), of_run * abs(value)), ""
+        of_run = (error_of_tip(quantity, self.mine, self.scene) if len(changes) == 1
+                  else 0.)
+        return max(part, SAFETY * min(abs(value), of_sliding), of_run), ""
 
     def tip_opens(self):
         """Whether lips press somewhere while a tip has a singular stress: that of two lips,
@@ -209,9 +209,7 @@ class Bars:
         if quantity.of == "drift":
             value = (self.own.summary_number("extremes", "displacement") or 0.
                      ) / self.own.period
-        elif "K" in quantity.of:
-            value = largest_intensity(quantity, self.mine)
-        return part * abs(value)
+        return part * (with_intensity(quantity, self.mine, self.scene) or abs(value))
 
     def is_at_a_tip(self, quantity):
         if quantity.of not in OF_A_TIP:

@@ -12,12 +12,13 @@ import numpy
 
 from crevasse import findings
 from crevasse.quantities import Table, common_instants
-from crevasse.results import probes_of
+from crevasse.results import number, probes_of
 from crevasse.run_reader import Run
 
 # A quantity of one number or history: columns of a table (all components of a tensor
 # together), or else a finding of the summary.
 BEARS = 1e-9  # of the largest force: less is rounding
+STEEP = 4.  # exponent of growth that is not one number
 Quantity = collections.namedtuple("Quantity", "name, table, columns, of, probe")
 FINDINGS = ("K_I_largest", "K_I_smallest", "K_II_largest", "K_II_smallest",
             "K_III_largest", "K_III_smallest", "Delta_K", "K_opening", "Delta_K_eff",
@@ -107,13 +108,27 @@ def mode_two_of_closed_tip(quantity, run):
     return presses * abs(float(tip.columns["K_II"][at]))
 
 
-def relative_error_of_tip(quantity, run):
-    """The error of K that the run itself estimates, of both modes; 0 for others."""
-    tip = table_of_tip(quantity, run) if "K" in quantity.of else None
-    if not tip:
+def error_of_tip(quantity, run, scene):
+    """The error that the run itself estimates, of K and of what K determines; 0 of
+    others. It does not vanish with K."""
+    change = with_intensity(quantity, run, scene)
+    if not change:
         return 0.
+    errors = table_of_tip(quantity, run).columns["K_I_error"]
+    return change * errors.max() / largest_intensity(quantity, run)
+
+
+def with_intensity(quantity, run, scene):
+    """By how much a quantity changes for each relative change of K: by the largest K of
+    its tip, by 2 G, by da/dN times the exponent of its law; 0 if K does not matter."""
     size = largest_intensity(quantity, run)
-    return tip.columns["K_I_error"].max() / size if size else 0.
+    if "K" in quantity.of or quantity.of == "equivalent_intensity" or not size:
+        return size
+    exponents = [number(scene[f"Crack tip/{kind} exponent"]) or STEEP
+                 for kind in ("Paris", "Creep")]
+    power = (2. if quantity.of == "energy_release_rate" else
+             max(exponents) if quantity.of.startswith("da_dN") else 0.)
+    return power * abs(largest(quantity, run))
 
 
 def largest_intensity(quantity, run):
