@@ -282,13 +282,22 @@ namespace Crevasse
 
 
 
+  std::vector<Expression>
+  material_formulas(const MaterialParameters &material)
+  {
+    std::vector<Expression> all = stiffness_formulas(material);
+    append(viscosity_formulas(material), all);
+    append(free_strain_formulas(material), all);
+    return all;
+  }
+
+
+
   bool
   material_depends_on(const std::string        &variable,
                       const MaterialParameters &material)
   {
-    return depend_on(variable, stiffness_formulas(material)) ||
-           depend_on(variable, viscosity_formulas(material)) ||
-           depend_on(variable, free_strain_formulas(material));
+    return depend_on(variable, material_formulas(material));
   }
 
 
@@ -319,15 +328,13 @@ namespace Crevasse
     const MaterialParameters        &material    = scene.material;
     const std::optional<Expression> &temperature = *scene.loads.temperature;
 
-    std::vector<Expression> formulas = stiffness_formulas(material);
-    append(viscosity_formulas(material), formulas);
+    std::vector<Expression> formulas = material_formulas(material);
     append({*material.stiffness_time_factor, *material.viscosity_time_factor},
            formulas);
     for (const auto &force : scene.loads.forces())
       append(force.formulas(), formulas);
     for (const PlacedFormulas &placed : *scene.loads.displacement)
       append(placed.components, formulas);
-    append(free_strain_formulas(material), formulas);
     if (temperature)
       formulas.push_back(*temperature);
 

@@ -9,6 +9,7 @@
 #include <crevasse/base/version.h>
 #include <crevasse/parameters/automatic.h>
 #include <crevasse/parameters/units.h>
+#include <crevasse/simulation/common_errors.h>
 #include <crevasse/simulation/run.h>
 #include <crevasse/simulation/setup_report.h>
 
@@ -109,6 +110,9 @@ namespace Crevasse
       summary["warnings"] = all_warnings;
       for (const std::string &warning : table_warnings(run))
         warn(warning, run.log, summary);
+      for (const auto &errors : {common_errors(run), missed_rows(run)})
+        for (const CommonError &error : errors)
+          summary["no_limit"][error.part] = error.why;
       // Before the observers' summaries, which solve more problems.
       run.evolution.statistics().add_counters(summary);
       summarise_steps(run, summary);

@@ -8,6 +8,7 @@
 #include <crevasse/parameters/automatic.h>
 #include <crevasse/parameters/effects.h>
 #include <crevasse/parameters/units.h>
+#include <crevasse/simulation/common_errors.h>
 #include <crevasse/simulation/setup_report.h>
 
 namespace Crevasse
@@ -83,34 +84,14 @@ namespace Crevasse
            "strain is up to "
         << run.magnitudes.largest_thermal_strain
         << "; the theory is for strains much less than 1");
-    constexpr double      too_much = 0.5;
-    const StepControlType control  = run.scene.time_integration.step_control;
-    if (run.magnitudes.missed_load > too_much &&
-        control != StepControlType::adaptive)
-      all.push_back(
-        Text::Message()
-        << "[Time integration]: within a step the loads differ by "
-        << std::lround(100. * run.magnitudes.missed_load)
-        << " % of their largest value from a straight line between its ends; "
-           "steps that are too few, or that end at zeros of a load, "
-        << (run.integrator == nullptr ? "show" : "compute with")
-        << " another load than that of the scene. "
-        << (control == StepControlType::list ? "Add instants to Steps"
-                                             : "Raise Steps per period"));
+    for (const CommonError &error : common_errors(run))
+      all.push_back(error.warning);
     constexpr double is_jump = 0.2;
     if (run.scene.crack_tip.creep_integral && formulas_can_jump(run.scene) &&
         run.magnitudes.missed_load > is_jump)
       all.emplace_back(
         "[Crack tip] Creep integral: a load seems to jump within a step, where "
         "C(t) is wrong; let a step end at the jump ([Time integration] Steps)");
-    if (const auto &scene = run.scene;
-        scene.material.creep_law() != nullptr &&
-        scene.discretisation.volumetric_strain == VolumetricStrain::full &&
-        (dim == 3 || scene.material.plane_state != PlaneState::plane_stress))
-      all.emplace_back(
-        "[Material] Viscosity = " + name_of(scene.material.viscosity) +
-        " preserves volume, so that elements lock: set [Discretisation] "
-        "Volumetric strain = mean and Degree = 1");
     if (run.steps.jumps_at(run.steps.period()) && !formulas_can_jump(run.scene))
       all.push_back(
         "[Loads] Period = " + Text::from_number(run.steps.period()) +
@@ -148,21 +129,10 @@ namespace Crevasse
   {
     const MPI_Comm           communicator = run.body.space.communicator();
     std::vector<std::string> all;
+    for (const CommonError &error : missed_rows(run))
+      all.push_back(error.warning);
     for (const auto &[name, table] : *run.scene.tables.functions)
       {
-        const std::string   begin = "[Tables] Files = " + table.file + ": ";
-        constexpr double    negligible = 0.01;
-        TableFunction::Miss miss;
-        if (table.is_called && table.is_of_time())
-          miss = run.steps.missed(table);
-        if (miss.difference > negligible)
-          all.push_back(
-            Text::Message()
-            << begin << "steps miss up to "
-            << Text::from_number(100. * miss.difference, 3)
-            << " % of the range of " << name << ", at t = " << miss.x
-            << ". Raise [Time integration] Steps per period, let steps end at "
-               "rows by a column step, or set Step control = adaptive");
         const double least =
           dealii::Utilities::MPI::min(table.least_seen, communicator);
         const double largest =
@@ -170,9 +140,10 @@ namespace Crevasse
         if (table.quantity == "theta" &&
             (least < table.x.front() || largest > table.x.back()))
           all.push_back(Text::Message()
-                        << begin << name << " has rows of theta from "
-                        << table.x.front() << " to " << table.x.back()
-                        << ", but is needed from " << least << " to " << largest
+                        << "[Tables] Files = " << table.file << ": " << name
+                        << " has rows of theta from " << table.x.front()
+                        << " to " << table.x.back() << ", but is needed from "
+                        << least << " to " << largest
                         << ". Beyond the rows it has its first or last value");
       }
     return all;

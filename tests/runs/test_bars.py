@@ -126,6 +126,31 @@ def test_corner():
     check(found["probe body s"]["bar"] is not None, "the stress inside is finite")
 
 
+def test_no_limit():
+    """What all meshes, or all steps, have in common is not in their differences."""
+    rubber = ["Material/Plane state=plane strain", "Material/Poisson ratio=0.4999"]
+    halves = "Material/Young modulus=if(x < 0.72, 26000, 13000)"
+    pulse = ["Loads/Traction=0; 1 + if(abs(t - 18) < 9, 10, 0)", "Contact/Solver=automatic",
+             "Time integration/Steps per period=20", "Periodic state/Tolerance=0"]
+    for scene, settings, part, why in (
+            (ELASTIC, elastic(1, 0, "8, 8", *rubber), "mesh", "lock"),
+            (ELASTIC, elastic(1, 0, "8, 8", halves), "mesh", "jumps within cells"),
+            (ELASTIC, elastic(1, 0, "25, 25", halves.replace("72", "7")), "mesh", "jumps"),
+            (PERIODIC, pulse, "time", "steps miss")):
+        found, output = bars("no_limit", scene, settings)
+        entry = found["opening"]
+        check(entry["bar"] is entry[part] is None and f"no limit: {entry['why'][10:]}"
+              == entry["why"] and why in entry["why"], f"{entry}")
+        check(output.count(why) > 1, f"warns: {output}")
+        tip = crevasse.read("results/no_limit").summary.get("crack_tip", {})
+        check(tip.get("K_I_error", 1.) > 0., f"{tip}")
+    for settings in (
+            elastic(1, 0, "8, 8", *rubber, "Discretisation/Volumetric strain=mean"),
+            elastic(2, 0, "8, 8", *rubber), elastic(1, 0, "8, 8", halves.replace("72", "75")),
+            elastic(1, 0, "8, 8", "Material/Young modulus=if(x < 0.7, 1, 1 + x - 0.7)")):
+        check(bars("limit", ELASTIC, settings)[0]["opening"]["bar"] > 0., f"{settings}")
+
+
 def test_between_samples():
     """The largest contact force lies between two of few steps, and the bar is for it."""
     def settings(steps):
@@ -255,6 +280,7 @@ def test_bad_commands():
 test_square()
 test_parts()
 test_corner()
+test_no_limit()
 test_between_samples()
 test_force_beside_an_open_tip()
 test_refused_companions()

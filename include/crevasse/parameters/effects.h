@@ -61,6 +61,10 @@ namespace Crevasse
   std::vector<Expression>
   viscosity_formulas(const MaterialParameters &material);
 
+  /** Formulas of stiffness, viscosity and free strains that vary with place. */
+  std::vector<Expression>
+  material_formulas(const MaterialParameters &material);
+
   /** Whether a property of the material, or a free strain, depends on a
    * variable; time factors do not count. */
   bool

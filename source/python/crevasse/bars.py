@@ -65,9 +65,10 @@ class Bars:
 
     def run(self):
         self.forget_older_runs()
-        meshes, steps = self.choice.meshes(), self.choice.steps()
-        share = sum(mesh.cost for mesh in meshes) + (
-            steps.cost * min(meshes[0].cost, 1.) if steps else 0.)
+        meshes = [] if self.no_limit("mesh") else self.choice.meshes()
+        steps = None if self.no_limit("time") else self.choice.steps()
+        costs = [mesh.cost for mesh in meshes]
+        share = sum(costs) + (steps.cost * min([1., *costs]) if steps else 0.)
         seconds = self.own.summary.get("processor_seconds", 0.)
         self.log(f"Error bars: companion runs, about {share * seconds:.2g} s "
                  f"({100 * share:.0f} % of the run)")
@@ -78,6 +79,11 @@ class Bars:
             bars["largest_stress"] = no_bar(stress, NO_LIMIT + (
                 ": the largest at quadrature points, which lie elsewhere on each mesh"))
         self.write(bars)
+
+    def no_limit(self, part):
+        """Why companions cannot show a part of the errors: the run has warned of it."""
+        why = self.own.summary.get("no_limit", {}).get(part, "")
+        return why and f"{NO_LIMIT}: {why}"
 
     def forget_older_runs(self):
         """Removes the companions of an earlier run in this directory."""
@@ -97,8 +103,8 @@ class Bars:
 
     def in_space(self, meshes):
         """Runs companions on other meshes; if the coarser one is refused, on a finer."""
-        self.meshes, self.why_no_mesh = [], ""
-        for mesh in [*meshes, self.choice.finer()]:
+        self.meshes, self.why_no_mesh = [], self.no_limit("mesh")
+        for mesh in [] if self.why_no_mesh else [*meshes, self.choice.finer()]:
             if mesh.ratio < 1. and self.meshes:
                 break
             run, self.why_no_mesh = self.companion(mesh.name, mesh.settings)
@@ -119,7 +125,7 @@ class Bars:
         on_mesh, base = {}, self.mine
         if self.meshes and self.meshes[0][0].ratio > 1.:
             on_mesh, base = self.meshes[0][0].settings, self.meshes[0][1]
-        self.time, self.why_no_time = None, ""
+        self.time, self.why_no_time = None, self.no_limit("time")
         if steps:
             run, self.why_no_time = self.companion(steps.name, on_mesh | steps.settings)
             self.time = run and (steps, base, run)

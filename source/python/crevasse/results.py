@@ -56,7 +56,7 @@ SHAPES = {
     "libraries": {}, "elastic_comparison": {},
     "refinement": {"meshes": [{}], "readaptations": [{}]},
     "warnings": [A_TEXT], "cells_of_ranks": [A_NUMBER], "subdivisions": [A_NUMBER],
-    "bars": {EACH: {EACH: A_NUMBER, "why": A_TEXT}},
+    "bars": {EACH: {EACH: A_NUMBER, "why": A_TEXT}}, "no_limit": {EACH: A_TEXT},
     "stress_change": [A_NUMBER], "stress_error_estimate": [A_NUMBER],
     "periods": A_NUMBER, "converged": YES_OR_NO, "contact_nodes": A_NUMBER}
 
