@@ -159,9 +159,10 @@ class Bars:
             kind = "opening"
         part = self.choice.mesh_part(kind, changes, [mesh.ratio for mesh, _ in self.meshes])
         of_sliding = SLIDING * mode_two_of_closed_tip(quantity, self.mine)
-        of_run = (error_of_tip(quantity, self.mine, self.scene) if len(changes) == 1
-                  else 0.)
-        return max(part, SAFETY * min(abs(value), of_sliding), of_run), ""
+        if len(changes) == 1:
+            # Two estimates that may be wrong by like factors: their mean, if that is more.
+            part = max(part, (part * error_of_tip(quantity, self.mine, self.scene)) ** .5)
+        return max(part, SAFETY * min(abs(value), of_sliding)), ""
 
     def tip_opens(self):
         """Whether lips press somewhere while a tip has a singular stress: that of two lips,

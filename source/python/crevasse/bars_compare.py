@@ -110,12 +110,15 @@ def mode_two_of_closed_tip(quantity, run):
 
 def error_of_tip(quantity, run, scene):
     """The error that the run itself estimates, of K and of what K determines; 0 of
-    others. It does not vanish with K."""
-    change = with_intensity(quantity, run, scene)
+    others. It is that of the instant, and does not vanish with K."""
+    change, tip = with_intensity(quantity, run, scene), table_of_tip(quantity, run)
     if not change:
         return 0.
-    errors = table_of_tip(quantity, run).columns["K_I_error"]
-    return change * errors.max() / largest_intensity(quantity, run)
+    sizes = numpy.hypot(tip.columns["K_I"], tip.columns.get("K_II", 0.))
+    name = "K_II" if quantity.of.startswith("K_II_") else "K_I"
+    row = (abs(tip.columns[name] - largest(quantity, run)).argmin()
+           if quantity.of.startswith("K_") else sizes.argmax())
+    return change * tip.columns["K_I_error"][row] / sizes.max()
 
 
 def with_intensity(quantity, run, scene):
