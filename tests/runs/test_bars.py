@@ -2,6 +2,7 @@
 has no limit, and what an interrupted command goes on with."""
 
 import json
+import math
 import os
 import pathlib
 import shutil
@@ -170,6 +171,24 @@ def test_between_samples():
         check(error <= entry["bar"] <= 5. * error, f"{entry}, error {error}")
 
 
+def test_rows_of_a_table():
+    """A step ends at each row, however few Steps per period: its companion halves it. The
+    load is linear between rows, so that the largest opening is that of the highest row."""
+    scene, rows = pathlib.Path("results/rows.prm"), range(0, 601, 50)
+    scene.parent.mkdir(exist_ok=True)
+    scene.write_text(ELASTIC.read_text())
+    scene.with_name("history.csv").write_text("t,force,step\n" + "".join(
+        f"{t},{10 * math.sin(2 * math.pi * (t - 12) / 600) + 2},1\n" if 0 < t < 600
+        else f"{t},0,1\n" for t in rows))
+    history = ["Tables/Files=history.csv", "Loads/Period=600", "Loads/Traction=0; force(t)"]
+    found, _ = bars("rows", scene, history)
+    entry = found["opening"]
+    highest = max(crevasse.read("results/rows").table("probe_C.csv")["opening"])
+    error = entry["value"] - highest
+    print(entry, error)
+    check(1e-3 * highest < error <= entry["time"] < 5. * error, f"{entry} {error}")
+
+
 def test_force_beside_an_open_tip():
     """The tip is open while the mouth presses: the force converges as h, not as h^2."""
     bent = ["Loads/Traction=0; 9.6 - 12*x", "Discretisation/Degree=1"]
@@ -285,6 +304,7 @@ test_parts()
 test_corner()
 test_no_limit()
 test_between_samples()
+test_rows_of_a_table()
 test_force_beside_an_open_tip()
 test_refused_companions()
 test_failing_companion()

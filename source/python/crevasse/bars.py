@@ -66,7 +66,7 @@ class Bars:
     def run(self):
         self.forget_older_runs()
         meshes = [] if self.no_limit("mesh") else self.choice.meshes()
-        steps = None if self.no_limit("time") else self.choice.steps()
+        steps = None if self.no_limit("time") else self.choice.steps(self.mine.instants())
         costs = [mesh.cost for mesh in meshes]
         share = sum(costs) + (steps.cost * min([1., *costs]) if steps else 0.)
         seconds = self.own.summary.get("processor_seconds", 0.)

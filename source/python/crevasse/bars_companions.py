@@ -152,21 +152,20 @@ class Choice:
             return None
         return ", ".join(map(str, coarse)), ratio
 
-    def steps(self):
+    def steps(self, instants):
         """The companion with steps of half the length, or a quarter of the tolerance,
         also of elastic bodies, whose extremes lie between instants. Longer steps would
-        be cheaper, but they may miss what the run's steps show."""
+        be cheaper, but they may miss what the run's steps show. Given instants of a
+        period, in which steps end at rows of tables, too."""
         control = self.scene["Time integration/Step control"]
-        if control == "uniform":
-            name = "Time integration/Steps per period"
+        name = "Time integration/Steps per period"
+        if control == "uniform" and len(instants) <= self.number(name) + 1:
             return Companion("shorter_steps", {name: 2 * self.number(name)}, .5, 2.)
-        if control == "list":
-            instants = [0., *map(float, self.scene["Time integration/Steps"].split(",")),
-                        float(self.scene["Loads/Period"])]
-            all_of_them = sorted({t for a, b in zip(instants, instants[1:])
-                                  for t in (a, (a + b) / 2)} - {0.})
+        if control != "adaptive":
+            halved = {t for a, b in zip(instants, instants[1:]) for t in (a, (a + b) / 2)}
             return Companion("shorter_steps", {
-                "Time integration/Steps": ", ".join(map(repr, all_of_them))}, .5, 2.)
+                "Time integration/Step control": "list", "Time integration/Steps":
+                ", ".join(map(repr, sorted(halved - {0.})))}, .5, 2.)
         return Companion("smaller_tolerance", {
             f"Time integration/{kind} tolerance": float(
                 self.scene[f"Time integration/{kind} tolerance"]) / 4.

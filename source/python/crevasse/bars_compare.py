@@ -13,11 +13,11 @@ import numpy
 from crevasse import findings
 from crevasse.quantities import Table, common_instants
 from crevasse.results import number, probes_of
-from crevasse.run_reader import Run
+from crevasse.run_reader import ROW_A_STEP, Run
 
 # A quantity of one number or history: columns of a table (all components of a tensor
 # together), or else a finding of the summary.
-BEARS = 1e-9  # of the largest force: less is rounding
+BEARS = 1e-9  # of the largest force, or of the period: less is rounding
 STEEP = 4.  # exponent of growth that is not one number
 Quantity = collections.namedtuple("Quantity", "name, table, columns, of, probe")
 FINDINGS = ("K_I_largest", "K_I_smallest", "K_II_largest", "K_II_smallest",
@@ -45,6 +45,13 @@ class Histories:
                 table.begin_at_zero()
             self.tables[name] = table
         return self.tables[name]
+
+    def instants(self):
+        """Ends of the steps of the last period; none without a history."""
+        tables = (self.table(path.stem) for path in self.folder.glob("*.csv")
+                  if path.name.startswith(ROW_A_STEP))
+        t = next((table.t for table in tables if table), numpy.zeros(0))
+        return [float(at) for at in t[numpy.diff(t, prepend=-1.) > BEARS * self.period]]
 
     def values(self, quantity):
         """Rows of the columns of a quantity; None without history."""
