@@ -131,13 +131,17 @@ def test_no_limit():
     """What all meshes, or all steps, have in common is not in their differences."""
     rubber = ["Material/Plane state=plane strain", "Material/Poisson ratio=0.4999"]
     halves = "Material/Young modulus=if(x < 0.72, 26000, 13000)"
+    flows = ["Material/Plane state=plane strain", "Material/Viscosity=isotropic",
+             "Material/Relaxation time=", "Material/Viscous modulus=1e6",
+             "Material/Viscous Poisson ratio=0.5", "Discretisation/Degree=2",
+             "Contact/Solver=automatic", "Periodic state/Tolerance=0"]
     pulse = ["Loads/Traction=0; 1 + if(abs(t - 18) < 9, 10, 0)", "Contact/Solver=automatic",
              "Time integration/Steps per period=20", "Periodic state/Tolerance=0"]
     for scene, settings, part, why in (
             (ELASTIC, elastic(1, 0, "8, 8", *rubber), "mesh", "lock"),
             (ELASTIC, elastic(1, 0, "8, 8", halves), "mesh", "jumps within cells"),
             (ELASTIC, elastic(1, 0, "25, 25", halves.replace("72", "7")), "mesh", "jumps"),
-            (PERIODIC, pulse, "time", "steps miss")):
+            (PERIODIC, flows, "mesh", "lock"), (PERIODIC, pulse, "time", "steps miss")):
         found, output = bars("no_limit", scene, settings)
         entry = found["opening"]
         check(entry["bar"] is entry[part] is None and f"no limit: {entry['why'][10:]}"
