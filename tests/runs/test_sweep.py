@@ -142,8 +142,6 @@ def test_bars():
         print(f"opening {row['opening']}, bar {bar:.2g}, error {error:.2g}")
         check(error / 5 < bar < 20 * error, "bar of the opening")
     check("bar of opening" in pathlib.Path("results/barred/sweep.md").read_text(), "sweep.md")
-    asked, _ = sweep("asked", *words, "--set", "Output/Error bars=true", scene=CRACK)
-    check(asked[0]["bar:opening"] == rows[0]["bar:opening"], "[Output] Error bars")
 
 
 def test_warnings():

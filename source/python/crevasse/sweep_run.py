@@ -64,7 +64,6 @@ class Sweep:
         self.used = read_scenes(program, options, self.settings)
         self.refuse_equal_points()
         self.scenes = [parse_parameters(text)[0] for text in self.used]
-        options.bars |= any(scene["Output/Error bars"] == "true" for scene in self.scenes)
         self.quantities = choose_quantities(options, self.scenes, program)
         self.needs_reference = None in self.quantities.values()
         # One kind of error in all rows of a table.
