@@ -54,12 +54,38 @@ def test_elastic():
 
 @full
 def test_corner():
-    """A stress at a free corner vanishes, but not in elements."""
+    """A stress at a free corner vanishes, but not in elements: it is 0 within its bar."""
     results, output = accurate(
         "corner", ELASTIC, 1e-3, [*COARSE, "Output/Probes=C: 1, 0"],
         "--for", "probe C s", status=3)
-    check("is not reached" in output and "does not fall" in
+    check("is not reached" in output and "0 within its bar" in
           results.summary["accuracy"]["why_not_reached"], output)
+
+
+def test_oblong():
+    """Companions of a scene with 14 times 4 cells have other proportions."""
+    results, _ = accurate("oblong", SOURCE / "prm/raous1980.prm", 1.5e-3, [
+        "Crack tip/Stress intensity=true", "Output/Fields=none"], "--for", "K_I")
+    check_below(abs(results.bars["K_I_largest"]["value"] / K_I - 1.), 1.5e-3,
+                "the true error")
+
+
+@full
+def test_steps():
+    """Lists of steps and tolerances of steps are refined, as numbers of steps are."""
+    exact, openings = 1.4305e-2, {}  # by an accuracy of 2e-4
+    for name, settings in {
+            "uniform": ["Time integration/Steps per period=20"],
+            "list": ["Time integration/Step control=list", "Time integration/Steps="
+                     + ", ".join(str(30 * k) for k in range(1, 20))],
+            "adaptive": ["Time integration/Step control=adaptive",
+                         "Time integration/Relative tolerance=0.05"]}.items():
+        results, _ = accurate("steps_" + name, SOURCE / "prm/raous1980.prm", 1e-3, [
+            "Output/Fields=none", "Geometry/Subdivisions=8, 8", *settings],
+            "--for", "opening")
+        openings[name] = results.bars["opening"]["value"]
+    for name, value in openings.items():
+        check_below(abs(value / exact - 1.), 1.2e-3, f"the true error, {name}")
 
 
 def test_refusals():
@@ -88,6 +114,8 @@ def test_periodic():
 
 
 test_elastic()
+test_oblong()
+test_steps()
 test_refusals()
 test_corner()
 test_periodic()

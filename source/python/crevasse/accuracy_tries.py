@@ -4,17 +4,17 @@
 """The tries of a scene on several meshes with several steps, and their error bars."""
 
 import collections
+import math
 
 from crevasse.advise_runs import Runs, as_text
 from crevasse.bars import Bars
-from crevasse.bars_companions import SMALLEST_RATIO, Choice, Companion
-from crevasse.bars_compare import Histories, quantities_of
+from crevasse.bars_companions import SMALLEST_RATIO, Choice, Companion, steps
 from crevasse.command import CommandError, Log
 from crevasse.quantities import did_you_mean
-from crevasse.run_reader import Run
+from crevasse.run_reader import Run as Results
 
 DEFAULT = ("K_I_largest", "opening")  # the first that a scene has
-APART = 2.  # ratio of cells from which a mesh is a good companion
+APART = 1.3  # ratio of cells from which a mesh is a good companion
 PARTS = ("bar", "mesh", "time", "period")
 Mesh = collections.namedtuple("Mesh", "times, settings")  # times as fine as the scene's
 
@@ -22,76 +22,82 @@ Mesh = collections.namedtuple("Mesh", "times, settings")  # times as fine as the
 class Tries(Runs):
     """Runs that are known by their settings: a companion of one try is that of others."""
 
-    def __init__(self, *arguments):
+    def __init__(self, scene, *arguments):
         super().__init__(*arguments, False)
+        self.scene_parameters = scene
         self.of_try, self.numbers, self.meshes = {}, {}, []
 
     def run(self, name, settings):
         settings = self.of_try | settings
-        key = tuple(sorted(as_text(settings).items()))
-        number = self.numbers.setdefault(key, f"{len(self.numbers) + 1:03}")
+        number = self.numbers.setdefault(key(settings), f"{len(self.numbers) + 1:03}")
         self.known[name] = super().run(number, settings)
         return self.known[name]
+
+    def serves_as_companion(self, run):
+        """A try is its own companion, which marches over as many periods."""
+        settings = self.of_try | Choice(Results(self.folder(run))).common()
+        self.numbers.setdefault(key(settings), run.name)
 
     def seconds(self):
         return sum({run.name: run.seconds for run in self.known.values()}.values())
 
     def coarser_than(self, mesh):
         """Companions on at most two meshes of former tries, the finer one first."""
-        former = sorted(((mesh.times / other.times, other.settings)
-                         for other in self.meshes), key=lambda pair: pair[0])
-        found = ([pair for pair in former if pair[0] >= APART]
-                 or [pair for pair in former if pair[0] >= SMALLEST_RATIO])
-        return [Companion(f"coarser_{k}", settings, ratio, 0.)
-                for k, (ratio, settings) in enumerate(found[:2])]
+        ratios = {mesh.times / other.times: other.settings for other in self.meshes}
+        first = min([r for r in ratios if r >= APART]
+                    or [r for r in ratios if r >= SMALLEST_RATIO], default=math.inf)
+        second = sorted(r for r in ratios if r >= SMALLEST_RATIO * first)[:1]
+        return [Companion(f"coarser_{k}", ratios[r], r, 0.)
+                for k, r in enumerate([first, *second]) if r < math.inf]
+
+
+def key(settings):
+    return tuple(sorted(as_text(settings).items()))
 
 
 class BarsOfTry(Bars):
-    """Error bars of a try, by companions on the coarser meshes of former tries. The first
-    try, on the scene's own mesh, has those of --bars."""
+    """Error bars of a try, by companions on coarser meshes of former runs, or else those
+    of --bars. Errors of steps depend little on the mesh: the coarsest one shows them."""
 
-    def __init__(self, runs, run, mesh):
-        self.results, self.runs, self.log = runs.folder(run), runs, Log(True)
-        self.own = Run(self.results)
-        self.scene, self.choice = self.own.parameters, Choice(self.own)
-        is_first = not runs.meshes
-        if not is_first:
-            coarser = runs.coarser_than(mesh)
-            self.choice.meshes = lambda: coarser
-        self.mine = Histories(self.results, self.own.period)
-        self.quantities = quantities_of(self.scene, self.mine)
-        self.run()
-        runs.meshes.append(mesh)
-        if is_first:
-            runs.meshes += [Mesh(1. / other.ratio, mesh.settings | other.settings)
-                            for other, _ in self.meshes]
+    def __init__(self, runs, run, mesh, times):
+        super().__init__(runs.folder(run), runs, Log(True))
+        self.in_space(runs.coarser_than(mesh) or self.choice.meshes())
+        known = [mesh.settings for mesh in runs.meshes]
+        runs.meshes += [new for new in (mesh, *(
+            Mesh(mesh.times / other.ratio, mesh.settings | other.settings)
+            for other, _ in self.meshes)) if new.settings not in known]
+        self.in_time(times)
+        self.conclude()
 
-    def forget_older_runs(self):
-        pass
-
-    def in_time(self, steps):
-        """Errors of steps depend little on the mesh: the coarsest one shows them."""
-        meshes = self.meshes
-        self.meshes = meshes[-1:]
-        super().in_time(steps)
-        self.meshes = meshes
+    def in_time(self, times):
+        """Steps so many times as short as the scene's, beside those of twice the length;
+        the scene's own beside those of half the length."""
+        scene = self.runs.scene_parameters
+        coarsest = min(self.runs.meshes, key=lambda mesh: mesh.times).settings
+        one, other = (steps(scene, k) for k in (times, max(times // 2, 2 // times)))
+        self.time = None
+        base, self.why_no_time = self.companion(f"steps_{times}", coarsest | one.settings)
+        if base:
+            run, self.why_no_time = self.companion(other.name, coarsest | other.settings)
+            other.ratio /= one.ratio
+            self.time = run and (other, base, run)
 
 
 class Try:
     """A try with its bars, relative to the largest value of the quantities asked for."""
 
     def __init__(self, runs, run, mesh, steps, asked):
-        bars = BarsOfTry(runs, run, mesh)
+        bars = BarsOfTry(runs, run, mesh, steps)
         self.mesh, self.steps, self.run, self.choice = mesh, steps, run, bars.choice
-        self.bars = Run(bars.results).summary["bars"]
+        self.all_bars, self.bars = bars, bars.bars
         self.kinds = {quantity.name: quantity.of for quantity in bars.quantities}
-        self.parts, self.names, self.order = dict.fromkeys(PARTS, 0.), [], 99.
+        self.parts, self.scales, self.order = dict.fromkeys(PARTS, 0.), {}, 99.
         self.worst = ""  # the quantity with the largest bar
         for name in asked or DEFAULT:
             self.take(name, bool(asked))
-            if self.names and not asked:
+            if self.scales and not asked:
                 break
-        if not self.names:
+        if not self.scales:
             raise CommandError("the scene has neither K_I nor an opening: name others by "
                                f"--for, such as \"{next(iter(self.kinds), '')}\".", 2)
 
@@ -118,4 +124,11 @@ class Try:
             for part in PARTS:
                 self.parts[part] = max(self.parts[part], entry[part] / scale)
             self.order = min(self.order, self.choice.order_in_space(self.kinds[name]))
-        self.names += group
+            self.scales[name] = scale
+
+    def time_part(self, steps):
+        """The part of other steps, from their runs on the coarsest mesh."""
+        self.all_bars.in_time(steps)
+        parts = [(self.all_bars.time_part(quantity)[0], self.scales[quantity.name])
+                 for quantity in self.all_bars.quantities if quantity.name in self.scales]
+        return max(math.inf if part is None else part / scale for part, scale in parts)

@@ -50,17 +50,15 @@ def arguments(words):
 class Bars:
     """The error bars of one run."""
 
-    def __init__(self, options, program, log):
-        self.results, self.program, self.log = options.results, program, log
-        self.directory = self.results / "bars"
-        self.own = Run(self.results)
+    def __init__(self, results, runs, log):
+        self.results, self.runs, self.log = results, runs, log
+        self.directory = results / "bars"
+        self.own = Run(results)
         if not self.own.finished:
-            raise CommandError(f"{self.results}: the run is not finished.", 2)
+            raise CommandError(f"{results}: the run is not finished.", 2)
         self.scene = self.own.parameters
-        overrides = dict(text.partition("=")[::2] for text in options.set)
-        self.runs = Runs(program, options.scene, overrides, self.directory, log, False)
         self.choice = Choice(self.own)
-        self.mine = Histories(self.results, self.own.period)
+        self.mine = Histories(results, self.own.period)
         self.quantities = quantities_of(self.scene, self.mine)
 
     def run(self):
@@ -74,7 +72,12 @@ class Bars:
                  f"({100 * share:.0f} % of the run)")
         self.in_space(meshes)
         self.in_time(steps)
-        bars = {quantity.name: self.bar(quantity) for quantity in self.quantities}
+        self.conclude()
+
+    def conclude(self):
+        """The bars of all quantities, into log and summary."""
+        self.bars = bars = {
+            quantity.name: self.bar(quantity) for quantity in self.quantities}
         if (stress := self.own.summary_number("extremes", "stress")) is not None:
             bars["largest_stress"] = no_bar(stress, NO_LIMIT + (
                 ": the largest at quadrature points, which lie elsewhere on each mesh"))
@@ -245,8 +248,9 @@ class Bars:
         lines = [*table_of(bars), *to_halve(bars, self.choice, self.own)]
         for line in lines:
             self.log(line)
-        with open(self.results / "log.txt", "a", encoding="utf-8") as file:
-            file.write("".join(line + "\n" for line in lines))
+        path = self.results / "log.txt"
+        log = path.read_text(encoding="utf-8").partition(lines[0])[0]  # without older ones
+        write_file(path, log + "".join(line + "\n" for line in lines))
 
 
 def replace_estimates(bars, summary):
@@ -267,6 +271,12 @@ def no_bar(value, why):
             "why": why}
 
 
+def bars_of(options, program, log):
+    overrides = dict(text.partition("=")[::2] for text in options.set)
+    return Bars(options.results, Runs(program, options.scene, overrides,
+                                      options.results / "bars", log, False), log)
+
+
 def main(words):
-    return make_runs(Bars, arguments(words), "bars.log", "The results and the finished "
+    return make_runs(bars_of, arguments(words), "bars.log", "The results and the finished "
                      "companion runs are kept: repeat the command with --resume.")

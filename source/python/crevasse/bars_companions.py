@@ -72,9 +72,11 @@ class Choice:
         """
         order = self.order_in_space(kind)
         change = changes[0]
-        if len(changes) == 2:
+        if len(changes) == 2 and ratios[1] >= SMALLEST_RATIO * ratios[0]:
             degree = self.number("Discretisation/Degree")
-            change = max(change, changes[1] / ratios[0] ** (degree + 2.))
+            fast = factor(ratios[1] / ratios[0], degree + 2., 1.) / (
+                factor(1. / ratios[0], degree + 2., 1.))
+            change = max(change, changes[1] * fast)
         safety = (SAFETY_ADAPTIVE if self.is_adaptive else
                   SAFETY_AT_TIP if order == 1. else SAFETY)
         return factor(ratios[0], order, safety) * change
@@ -94,8 +96,9 @@ class Choice:
 
     def same_periods(self):
         """A march of the companion has the periods of the run, so that displacements are
-        those of the same motion."""
-        if not self.summary.get("periodic_method", "").startswith("march"):
+        those of the same motion. Without tolerance it has them anyway."""
+        if not (self.summary.get("periodic_method", "").startswith("march")
+                and float(self.scene["Periodic state/Tolerance"])):
             return {}
         return {"Periodic state/Method": "march", "Periodic state/Tolerance": 0,
                 "Periodic state/Maximum periods": self.summary["periods"]}
@@ -136,40 +139,52 @@ class Choice:
         return Companion("finer", settings, .5, 2.5 ** self.dim)
 
     def subdivided(self, times):
-        """Subdivisions divided by a number, and how many times larger the cells become;
-        None if that is impossible. The crack tip stays a vertex."""
-        if self.scene["Geometry/Shape"] == "mesh file":
-            return None
-        n = self.summary["subdivisions"]
-        fraction = None
-        if "crack" in self.scene["Geometry/Shape"]:
-            fraction = (float(self.scene["Geometry/Crack length"])
-                        / float(self.scene["Geometry/Width"]))
-        first = divided(n[0], times, fraction)
-        coarse = [first] + [max(1, round(k * first / n[0])) for k in n[1:]]
-        ratio = math.prod(k / c for k, c in zip(n, coarse)) ** (1. / self.dim)
-        if ratio < SMALLEST_RATIO * times / 2. or (fraction and first < 2):
-            return None
-        return ", ".join(map(str, coarse)), ratio
+        return subdivided(self.scene, self.summary.get("subdivisions"), times)
 
     def steps(self, instants):
-        """The companion with steps of half the length, or a quarter of the tolerance,
-        also of elastic bodies, whose extremes lie between instants. Longer steps would
-        be cheaper, but they may miss what the run's steps show. Given instants of a
-        period, in which steps end at rows of tables, too."""
-        control = self.scene["Time integration/Step control"]
-        name = "Time integration/Steps per period"
-        if control == "uniform" and len(instants) <= self.number(name) + 1:
-            return Companion("shorter_steps", {name: 2 * self.number(name)}, .5, 2.)
-        if control != "adaptive":
-            halved = {t for a, b in zip(instants, instants[1:]) for t in (a, (a + b) / 2)}
-            return Companion("shorter_steps", {
-                "Time integration/Step control": "list", "Time integration/Steps":
-                ", ".join(map(repr, sorted(halved - {0.})))}, .5, 2.)
-        return Companion("smaller_tolerance", {
-            f"Time integration/{kind} tolerance": float(
-                self.scene[f"Time integration/{kind} tolerance"]) / 4.
-            for kind in ("Relative", "Absolute")}, .25, 1.6)
+        return steps(self.scene, 2, instants)
+
+
+def steps(scene, times, instants=None):
+    """The companion with steps of half the length, or a quarter of the tolerance, also of
+    elastic bodies, whose extremes lie between instants; or the run with so many times as
+    many steps. Longer steps would be cheaper, but they may miss what the run's steps
+    show. Given the instants of a period, in which steps end at rows of tables, too."""
+    control, section = scene["Time integration/Step control"], "Time integration/"
+    name = section + "Steps per period"
+    if control == "uniform" and len(instants or ()) <= int(scene[name]) + 1:
+        return Companion("shorter_steps", {name: times * int(scene[name])}, 1. / times,
+                         float(times))
+    if control != "adaptive":
+        instants = instants or [0., *map(float, scene[section + "Steps"].split(",")),
+                                float(scene["Loads/Period"])]
+        divided_steps = {a + (b - a) * k / times for a, b in zip(instants, instants[1:])
+                         for k in range(times)}
+        return Companion("shorter_steps", {
+            section + "Step control": "list",
+            section + "Steps": ", ".join(map(repr, sorted(divided_steps - {0.})))},
+            1. / times, float(times))
+    return Companion("smaller_tolerance", {
+        name: float(scene[name]) / times ** 2
+        for kind in ("Relative", "Absolute") if (name := f"{section}{kind} tolerance")},
+        1. / times ** 2, .8 * times)
+
+
+def subdivided(scene, n, times):
+    """Subdivisions divided by a number, and how many times larger the cells become; None
+    if that is impossible. The crack tip stays a vertex."""
+    if scene["Geometry/Shape"] == "mesh file":
+        return None
+    fraction = None
+    if "crack" in scene["Geometry/Shape"]:
+        fraction = (float(scene["Geometry/Crack length"])
+                    / float(scene["Geometry/Width"]))
+    first = divided(n[0], times, fraction)
+    coarse = [first] + [max(1, round(k * first / n[0])) for k in n[1:]]
+    ratio = math.prod(k / c for k, c in zip(n, coarse)) ** (1. / len(n))
+    if ratio < SMALLEST_RATIO * times / 2. or (fraction and first < 2):
+        return None
+    return ", ".join(map(str, coarse)), ratio
 
 
 def divided(n, times, fraction):
