@@ -192,7 +192,7 @@ class Case:
         own = self.compute(self.folder, self.settings)
         options = bars.arguments([str(own), str(self.scene), *(
             word for text in assignments(self.settings) for word in ("--set", text))])
-        self.found = bars.Bars(options, self.program, self.log)
+        self.found = bars.bars_of(options, self.program, self.log)
         self.found.directory.mkdir(exist_ok=True)
         self.found.run()
         return json.loads((own / "summary.json").read_text())["bars"]
