@@ -9,6 +9,8 @@
 void
 condensed_problem();
 void
+friction_problem();
+void
 contact_solvers();
 void
 lip_shift();
@@ -21,6 +23,7 @@ main(int argc, char **argv)
   return run_tests(argc,
                    argv,
                    {{"condensed_problem", condensed_problem},
+                    {"friction_problem", friction_problem},
                     {"contact_solvers", contact_solvers},
                     {"lip_shift", lip_shift},
                     {"projected_sor", projected_sor}});
