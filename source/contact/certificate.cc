@@ -60,9 +60,11 @@ namespace Crevasse
   Certificate::worst() const
   {
     // Comparisons ignore NaN, sums do not.
-    if (std::isnan(penetration + tension + complementarity + residual))
+    if (std::isnan(penetration + tension + complementarity + residual +
+                   friction))
       return std::numeric_limits<double>::infinity();
-    return std::max({penetration, tension, complementarity, residual});
+    return std::max(
+      {penetration, tension, complementarity, residual, friction});
   }
 
 
@@ -74,6 +76,7 @@ namespace Crevasse
     tension         = std::max(tension, other.tension);
     complementarity = std::max(complementarity, other.complementarity);
     residual        = std::max(residual, other.residual);
+    friction        = std::max(friction, other.friction);
     newton_residual = std::max(newton_residual, other.newton_residual);
   }
 
@@ -85,40 +88,109 @@ namespace Crevasse
     return Text::Message() << std::setprecision(3) << "penetration "
                            << penetration << ", tension " << tension
                            << ", complementarity " << complementarity
-                           << ", residual " << residual;
+                           << ", residual " << residual
+                           << (friction > 0. ? ", friction " +
+                                                 Text::from_number(friction, 3)
+                                             : "");
   }
+
+
+
+  namespace
+  {
+    /** Violation of Coulomb's law at a bound.
+     *
+     * @param forces g_T along each tangent, relative to the scale of forces.
+     * @param limit μg, alike.
+     * @param slip q_T − q_T^ref, relative to the scale of displacements. */
+    double
+    violation_of_friction(const std::array<double, 2> &forces,
+                          const double                 limit,
+                          const std::array<double, 2> &slip)
+    {
+      const double size   = std::hypot(slip[0], slip[1]);
+      double       square = 0.;
+      for (const unsigned int c : {0, 1})
+        square +=
+          std::pow(forces[c] + (size > 0. ? limit * slip[c] / size : 0.), 2);
+      return std::max(std::hypot(forces[0], forces[1]) - limit,
+                      std::min(size, std::sqrt(square)));
+    }
+
+
+
+    /** Moves the forces along tangents from the residual to @p contact_forces.
+     * @return the largest violation of Coulomb's law, relative to the scales.
+     */
+    double
+    take_friction(const UnilateralBounds &bounds,
+                  const Candidate        &candidate,
+                  const Scales           &scales,
+                  Vector                 &residual,
+                  ContactForces          &contact_forces)
+    {
+      const FrictionState &friction = *candidate.friction;
+      const std::size_t    n        = bounds.tangents.size();
+      contact_forces.tangential.resize(n);
+      for (auto &along : contact_forces.tangential)
+        along.resize(bounds.dofs.size());
+      double worst = 0.;
+      for (unsigned int k = 0; k < bounds.dofs.size(); ++k)
+        {
+          std::array<double, 2> forces{}, slip{};
+          for (std::size_t c = 0; c < n; ++c)
+            if (const auto i = bounds.tangents[c][k];
+                i != numbers::invalid_dof_index)
+              {
+                contact_forces.tangential[c][k] = residual(i);
+                forces[c]                       = residual(i) / scales.force();
+                slip[c] = (candidate.solution(i) - friction.reference[c][k]) /
+                          scales.displacement();
+                residual(i) = 0.;
+              }
+          const double limit = friction.coefficients[k] *
+                               std::max(contact_forces.normal[k], 0.) /
+                               scales.force();
+          worst = std::max(worst, violation_of_friction(forces, limit, slip));
+        }
+      return worst;
+    }
+  } // namespace
 
 
 
   Certificate
   certify(const SignoriniProblem &problem,
-          const Vector           &right_hand_side,
-          const Vector           &solution,
+          const Candidate        &candidate,
           Scales                 &scales,
           Vector                 &residual,
-          std::vector<double>    &contact_forces)
+          ContactForces          &contact_forces)
   {
-    const UnilateralBounds &bounds = problem.bounds;
-    scales.include(problem, right_hand_side, solution);
+    const UnilateralBounds &bounds   = problem.bounds;
+    const Vector           &solution = candidate.solution;
+    scales.include(problem, candidate.right_hand_side, solution);
     const double force        = scales.force();
     const double displacement = scales.displacement();
 
     problem.stiffness.vmult(residual, solution);
-    residual -= right_hand_side;
+    residual -= candidate.right_hand_side;
 
     Certificate certificate;
-    contact_forces.resize(bounds.dofs.size());
+    contact_forces.normal.resize(bounds.dofs.size());
     for (unsigned int k = 0; k < bounds.dofs.size(); ++k)
       {
         const auto   i = bounds.dofs[k];
         const double opening =
           (bounds.sign[k] * solution(i) - bounds.gap[k]) / displacement;
-        contact_forces[k] = bounds.sign[k] * residual(i);
-        const double g    = contact_forces[k] / force;
-        residual(i)       = 0.;
+        contact_forces.normal[k] = bounds.sign[k] * residual(i);
+        const double g           = contact_forces.normal[k] / force;
+        residual(i)              = 0.;
         certificate.merge(
           {-opening, -g, std::min(std::abs(g), std::abs(opening)), 0.});
       }
+    if (candidate.friction != nullptr)
+      certificate.friction =
+        take_friction(bounds, candidate, scales, residual, contact_forces);
 
     // Comparisons alone would ignore values that are not finite.
     bool   is_finite = std::isfinite(force) && std::isfinite(displacement);
@@ -134,8 +206,9 @@ namespace Crevasse
     double all[] = {certificate.penetration,
                     certificate.tension,
                     certificate.complementarity,
-                    certificate.residual};
+                    certificate.residual,
+                    certificate.friction};
     Utilities::MPI::max(all, problem.stiffness.get_mpi_communicator(), all);
-    return {all[0], all[1], all[2], all[3]};
+    return {all[0], all[1], all[2], all[3], all[4]};
   }
 } // namespace Crevasse

@@ -38,7 +38,7 @@ namespace Crevasse
     const Stopwatch watch("certificates");
     scales = scales_of_solutions;
     return Crevasse::certify(
-      problem, right_hand_side, solution, scales, residual, forces);
+      problem, {right_hand_side, solution, friction}, scales, residual, forces);
   }
 
 
@@ -46,8 +46,9 @@ namespace Crevasse
   void
   ContactSolver::solve(const Vector        &right_hand_side,
                        Vector              &solution,
-                       std::vector<double> &contact_forces,
-                       const double         stiffness_factor)
+                       ContactForces       &contact_forces,
+                       const double         stiffness_factor,
+                       const FrictionState *friction_state)
   {
     Assert(stiffness_factor > 0., dealii::ExcInternalError());
     const Stopwatch watch(problem.n_bounds() > 0 ? "contact problems"
@@ -61,6 +62,7 @@ namespace Crevasse
     const Vector &b =
       stiffness_factor == 1. ? right_hand_side : scaled_right_hand_side;
 
+    friction                    = friction_state;
     const std::size_t n_new     = iterate(b, solution);
     const Certificate certified = certify(b, solution);
     if (!accepts(certified))
@@ -76,8 +78,11 @@ namespace Crevasse
     counts.accuracy =
       std::max({counts.accuracy, force_accuracy(), displacement_accuracy()});
     contact_forces = forces;
-    for (double &force : contact_forces)
+    for (double &force : contact_forces.normal)
       force *= stiffness_factor;
+    for (auto &along : contact_forces.tangential)
+      for (double &force : along)
+        force *= stiffness_factor;
   }
 
 
@@ -126,7 +131,8 @@ namespace Crevasse
            std::max(forces, lengths) <= coarsest &&
            certificate.penetration <= lengths &&
            certificate.tension <= forces && certificate.residual <= forces &&
-           certificate.complementarity <= std::max(forces, lengths);
+           std::max(certificate.complementarity, certificate.friction) <=
+             std::max(forces, lengths);
   }
 
 
@@ -156,9 +162,9 @@ namespace Crevasse
   ContactSolver::closed_bounds() const
   {
     const double      rounding = force_accuracy() * scales.force();
-    std::vector<bool> closed(forces.size());
-    for (std::size_t k = 0; k < forces.size(); ++k)
-      closed[k] = forces[k] > rounding;
+    std::vector<bool> closed(forces.normal.size());
+    for (std::size_t k = 0; k < closed.size(); ++k)
+      closed[k] = forces.normal[k] > rounding;
     return closed;
   }
 
@@ -169,7 +175,7 @@ namespace Crevasse
   {
     archive.common(scales);
     archive.common(scales_of_solutions);
-    archive.on_bounds(forces);
+    archive.on_bounds(forces.normal);
     std::vector<bool> set = first_set();
     archive.on_bounds(set);
     // Ranks without bounds take part in start_from().
@@ -177,6 +183,7 @@ namespace Crevasse
         dealii::Utilities::MPI::logical_or(!set.empty(),
                                            archive.communicator()))
       start_from(set);
+    serialize_states(archive);
     // Another method may resume: always write a factor, maybe empty.
     const dealii::LAPACKFullMatrix<double> nothing;
     PrincipalFactor                        none(nothing);
@@ -190,7 +197,8 @@ namespace Crevasse
   ContactSolver::memory_consumption() const
   {
     return scaled_right_hand_side.memory_consumption() +
-           residual.memory_consumption() + forces.size() * sizeof(double);
+           residual.memory_consumption() +
+           forces.normal.size() * sizeof(double);
   }
 
 
@@ -211,6 +219,35 @@ namespace Crevasse
         values[k]      = bounds.sign[k] * solution(dof) - bounds.gap[k] -
                     contact_forces[k] / (stiffness_factor * diagonal(dof));
       }
+  }
+
+
+
+  void
+  ContactSolver::stick_functions(const Vector        &solution,
+                                 const ContactForces &contact_forces,
+                                 const double         stiffness_factor,
+                                 const FrictionState &state,
+                                 std::vector<double> &values) const
+  {
+    const auto  &tangents = problem.bounds.tangents;
+    const double least    = force_accuracy() * scales.force();
+    values.assign(problem.bounds.dofs.size(), 0.);
+    for (std::size_t k = 0; k < values.size(); ++k)
+      if (const double g = contact_forces.normal[k] / stiffness_factor;
+          g > least && tangents[0][k] != dealii::numbers::invalid_dof_index)
+        {
+          const double kappa  = 1. / problem.diagonal()(tangents[0][k]);
+          double       square = 0.;
+          for (std::size_t c = 0; c < tangents.size(); ++c)
+            if (const auto i = tangents[c][k];
+                i != dealii::numbers::invalid_dof_index)
+              square += std::pow(kappa * contact_forces.tangential[c][k] /
+                                     stiffness_factor -
+                                   solution(i) + state.reference[c][k],
+                                 2);
+          values[k] = kappa * state.coefficients[k] * g - std::sqrt(square);
+        }
   }
 
 } // namespace Crevasse

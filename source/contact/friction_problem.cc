@@ -22,19 +22,19 @@ namespace Crevasse
 
     /** 1 where a pair slips along the tangent, −1 against it, 0 elsewhere. */
     double
-    direction(const PairState state)
+    direction(const SlipState state)
     {
-      return state == PairState::forward    ? 1.
-             : state == PairState::backward ? -1.
+      return state == SlipState::forward    ? 1.
+             : state == SlipState::backward ? -1.
                                             : 0.;
     }
 
 
 
-    PairState
+    SlipState
     slip(const bool is_forward)
     {
-      return is_forward ? PairState::forward : PairState::backward;
+      return is_forward ? SlipState::forward : SlipState::backward;
     }
 
 
@@ -55,14 +55,17 @@ namespace Crevasse
 
   FrictionProblem::FrictionProblem(const LAPACKFullMatrix<double> &stiffness,
                                    const std::vector<Pair>        &pairs)
-    : states(pairs.size(), PairState::stick)
-    , pairs(pairs)
+    : states(pairs.size(), SlipState::stick)
     , factor(stiffness)
+    , pairs(pairs)
     , fixed(stiffness.m())
     , right_hand_side(stiffness.m())
     , forces(stiffness.m())
   {
-    AssertThrow(2 * pairs.size() == stiffness.m(),
+    unsigned int n_unknowns = 0;
+    for (const Pair &pair : pairs)
+      n_unknowns += pair.may_slide() ? 2 : 1;
+    AssertThrow(n_unknowns == stiffness.m(),
                 ExcMessage("Each unknown of the lip belongs to one pair."));
   }
 
@@ -73,12 +76,12 @@ namespace Crevasse
                          const Increment &increment,
                          LipVector       &jumps)
   {
-    std::set<std::vector<PairState>> seen;
+    std::set<std::vector<SlipState>> seen;
     bool                             has_lemkes = false;
     for (unsigned int n_sets = 1;; ++n_sets)
       {
         solve_with_states(loads, increment, jumps);
-        std::vector<PairState> next = next_states(loads, increment, jumps);
+        std::vector<SlipState> next = next_states(loads, increment, jumps);
         if (next == states || has_lemkes)
           return n_sets;
         if (seen.insert(states).second)
@@ -143,16 +146,16 @@ namespace Crevasse
     bool              has_slip = false;
     fixed                      = 0.;
     for (unsigned int i = 0; i < pairs.size(); ++i)
-      if (states[i] != PairState::open)
+      if (states[i] != SlipState::open)
         {
           is_free[pairs[i].normal] = false;
           fixed(pairs[i].normal)   = pairs[i].gap;
-          if (states[i] == PairState::stick)
+          if (states[i] == SlipState::stick && pairs[i].may_slide())
             {
               is_free[pairs[i].tangent] = false;
               fixed(pairs[i].tangent)   = increment.reference[i];
             }
-          has_slip = has_slip || (states[i] != PairState::stick &&
+          has_slip = has_slip || (states[i] != SlipState::stick &&
                                   increment.coefficients[i] != 0.);
         }
     const Rows rows{*this, increment, is_free};
@@ -177,7 +180,7 @@ namespace Crevasse
 
 
 
-  std::vector<PairState>
+  std::vector<SlipState>
   FrictionProblem::next_states(const LipVector &loads,
                                const Increment &increment,
                                const LipVector &jumps) const
@@ -187,33 +190,37 @@ namespace Crevasse
     LipVector    forces(loads.size());
     stiffness.vmult(forces, jumps);
     forces -= loads;
-    std::vector<PairState> next = states;
+    std::vector<SlipState> next = states;
     for (unsigned int i = 0; i < pairs.size(); ++i)
       {
-        const unsigned int N = pairs[i].normal, T = pairs[i].tangent;
+        const unsigned int N = pairs[i].normal;
+        // Without a tangent, that of an unknown which neither moves nor bears.
+        const bool         slides  = pairs[i].may_slide();
+        const unsigned int T       = slides ? pairs[i].tangent : N;
         const double       mu      = increment.coefficients[i];
         const double       opening = jumps(N) - pairs[i].gap;
-        const double       delta   = jumps(T) - increment.reference[i];
-        const double       noise =
+        const double delta = slides ? jumps(T) - increment.reference[i] : 0.;
+        const double force = slides ? forces(T) : 0.;
+        const double noise =
           rounding * std::max(std::abs(loads(N)) + stiffness(N, N) * largest,
                               std::abs(loads(T)) + stiffness(T, T) * largest);
-        if (states[i] == PairState::open)
+        if (states[i] == SlipState::open)
           {
             if (opening < -rounding * largest)
               next[i] = stiffness(T, T) * std::abs(delta) <=
                             -mu * stiffness(N, N) * opening
-                          ? PairState::stick
+                          ? SlipState::stick
                           : slip(delta > 0.);
           }
         else if (forces(N) < -noise)
-          next[i] = PairState::open;
-        else if (states[i] == PairState::stick)
+          next[i] = SlipState::open;
+        else if (states[i] == SlipState::stick)
           {
-            if (std::abs(forces(T)) > mu * std::max(forces(N), 0.) + noise)
-              next[i] = slip(forces(T) < 0.);
+            if (std::abs(force) > mu * std::max(forces(N), 0.) + noise)
+              next[i] = slip(force < 0.);
           }
         else if (direction(states[i]) * delta < -rounding * largest)
-          next[i] = PairState::stick;
+          next[i] = SlipState::stick;
       }
     return next;
   }
@@ -242,13 +249,15 @@ namespace Crevasse
       {
         const double opening = (jumps(pairs[i].normal) - pairs[i].gap) / jump;
         const double normal  = forces(pairs[i].normal) / force;
+        worst = std::max(worst, std::abs(std::min(normal, opening)));
+        if (!pairs[i].may_slide())
+          continue;
         const double tangent = forces(pairs[i].tangent) / force;
         const double slip =
           (jumps(pairs[i].tangent) - increment.reference[i]) / jump;
         const double bound = increment.coefficients[i] * std::max(normal, 0.);
         worst =
           std::max({worst,
-                    std::abs(std::min(normal, opening)),
                     std::abs(tangent) - bound,
                     std::min(std::abs(slip),
                              std::abs(tangent + std::copysign(bound, slip)))});
@@ -266,41 +275,45 @@ namespace Crevasse
     const unsigned int       m = pairs.size();
     LAPACKFullMatrix<double> compliance(factor.matrix);
     compliance.invert();
-    LipVector free_jumps(2 * m);
+    LipVector free_jumps(loads.size());
     compliance.vmult(free_jumps, loads);
     double scale = 0.; // so that forces and jumps are alike
-    for (unsigned int i = 0; i < 2 * m; ++i)
-      scale += compliance(i, i) / (2 * m);
+    for (unsigned int i = 0; i < loads.size(); ++i)
+      scale += compliance(i, i) / loads.size();
 
+    // An unknown of a pair, or none: then of a compliance without coupling.
+    const auto C = [&](const unsigned int a, const unsigned int b) {
+      return std::max(a, b) == numbers::invalid_unsigned_int
+               ? 0.
+               : compliance(a, b) / scale;
+    };
     // Blocks: g_N, g_T along and against the tangent, size of the slip.
     FullMatrix<double> M(4 * m);
     LipVector          r(4 * m);
     for (unsigned int i = 0; i < m; ++i)
       {
+        const auto [N_i, T_i, gap] = pairs[i];
         for (unsigned int j = 0; j < m; ++j)
           {
-            const auto C = [&](const unsigned int a, const unsigned int b) {
-              return compliance(a, b) / scale;
-            };
-            const auto [N_i, T_i] =
-              std::pair(pairs[i].normal, pairs[i].tangent);
-            const auto [N_j, T_j] =
-              std::pair(pairs[j].normal, pairs[j].tangent);
+            const unsigned int N_j = pairs[j].normal, T_j = pairs[j].tangent;
+            const double       TT =
+              i == j && !pairs[i].may_slide() ? 1. : C(T_i, T_j);
             M(i, j)                 = C(N_i, N_j);
             M(i, m + j)             = C(N_i, T_j);
             M(i, 2 * m + j)         = -C(N_i, T_j);
             M(m + i, j)             = C(T_i, N_j);
-            M(m + i, m + j)         = C(T_i, T_j);
-            M(m + i, 2 * m + j)     = -C(T_i, T_j);
+            M(m + i, m + j)         = TT;
+            M(m + i, 2 * m + j)     = -TT;
             M(2 * m + i, j)         = -C(T_i, N_j);
-            M(2 * m + i, m + j)     = -C(T_i, T_j);
-            M(2 * m + i, 2 * m + j) = C(T_i, T_j);
+            M(2 * m + i, m + j)     = -TT;
+            M(2 * m + i, 2 * m + j) = TT;
           }
         M(m + i, 3 * m + i) = M(2 * m + i, 3 * m + i) = 1.;
         M(3 * m + i, i)     = increment.coefficients[i];
         M(3 * m + i, m + i) = M(3 * m + i, 2 * m + i) = -1.;
-        r(i)         = free_jumps(pairs[i].normal) - pairs[i].gap;
-        r(m + i)     = free_jumps(pairs[i].tangent) - increment.reference[i];
+        r(i)                                          = free_jumps(N_i) - gap;
+        if (pairs[i].may_slide())
+          r(m + i) = free_jumps(T_i) - increment.reference[i];
         r(2 * m + i) = -r(m + i);
       }
     if (const double size = r.linfty_norm(); size > 0.)
@@ -317,9 +330,9 @@ namespace Crevasse
     w += r;
     for (unsigned int i = 0; i < m; ++i)
       if ((*z)(i) <= 0.)
-        states[i] = PairState::open;
+        states[i] = SlipState::open;
       else if ((*z)(3 * m + i) <= 0.)
-        states[i] = PairState::stick;
+        states[i] = SlipState::stick;
       else
         states[i] = slip(w(m + i) > w(2 * m + i));
   }

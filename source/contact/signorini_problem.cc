@@ -16,6 +16,8 @@ namespace Crevasse
     , bounds(bounds)
     , all_dofs(of_all_ranks(stiffness.get_mpi_communicator(), bounds.dofs))
   {
+    for (const auto &along : bounds.tangents)
+      tangents.push_back(of_all_ranks(stiffness.get_mpi_communicator(), along));
     for (const auto i : diagonal().locally_owned_elements())
       if (!(diagonal()(i) > 0.))
         throw NumericalError(
@@ -40,6 +42,19 @@ namespace Crevasse
                                      const UnilateralBounds &bounds)
     : SignoriniProblem(std::make_shared<MatrixOperator>(matrix), bounds)
   {
+  }
+
+
+
+  LinearOperator::Indices
+  SignoriniProblem::all_lip_dofs() const
+  {
+    LinearOperator::Indices all = all_dofs;
+    for (const auto &along : tangents)
+      for (const auto dof : along)
+        if (dof != numbers::invalid_dof_index)
+          all.push_back(dof);
+    return all;
   }
 
 

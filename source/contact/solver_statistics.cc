@@ -56,6 +56,8 @@ namespace Crevasse
        {"complementarity", certificate.complementarity},
        {"residual", certificate.residual},
        {"accuracy", accuracy}});
+    if (certificate.friction > 0.)
+      summary["certificate"]["friction"] = certificate.friction;
     if (implicit_stages > 0)
       summary["certificate"]["newton_residual"] = certificate.newton_residual;
   }

@@ -93,7 +93,8 @@ namespace Crevasse
     , loads(loads)
     , body_force(components_in_volume(loads))
     , of_contact_forces(
-        mode == CrackMode::opening
+        mode == CrackMode::opening ||
+            (mode == CrackMode::sliding && body.friction)
           ? lip_integral(body, region.tip, region.weight(squares.size))
           : std::vector<double>())
   {
@@ -318,8 +319,13 @@ namespace Crevasse
                kappa * (kernel.field.of_stress[1] * s);
       }
     sum *= 4. / (kappa + 1.);
+    if (of_contact_forces.empty())
+      return Utilities::MPI::sum(sum, body.space.communicator());
+    const std::vector<double> &on_lips = mode == CrackMode::opening
+                                           ? contact_forces.normal
+                                           : contact_forces.tangential.front();
     for (std::size_t i = 0; i < of_contact_forces.size(); ++i)
-      sum += of_contact_forces[i] * contact_forces.normal[i];
+      sum += of_contact_forces[i] * on_lips[i];
     return Utilities::MPI::sum(sum, body.space.communicator());
   }
 

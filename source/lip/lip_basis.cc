@@ -79,6 +79,7 @@ namespace Crevasse
                           const BoundaryRoles             &roles,
                           const AffineConstraints<double> &supports)
     : OpeningUnknowns(dof_handler.n_dofs())
+    , has_friction(roles.has_friction)
   {
     Surroundings surroundings =
       collect_nodes(find_lip_faces(dof_handler, mapping, face_rule, roles));
@@ -86,11 +87,22 @@ namespace Crevasse
     for (Node &node : nodes)
       if (!hangs(node, surroundings))
         make_opening(node, surroundings.supported);
+    if (has_friction)
+      for (Node &node : nodes)
+        if (node.has_unknown())
+          make_sliding(node, surroundings.supported);
     const auto renumbered = number_unknowns();
-    for (Node &node : nodes)
-      if (const auto found = renumbered.find(node.unknown);
+    const auto renumber   = [&renumbered](Index &unknown) {
+      if (const auto found = renumbered.find(unknown);
           found != renumbered.end())
-        node.unknown = found->second;
+        unknown = found->second;
+    };
+    for (Node &node : nodes)
+      {
+        renumber(node.unknown);
+        for (Index &unknown : node.sliding)
+          renumber(unknown);
+      }
     set_weights(surroundings);
     choose_masters();
     number_lips(surroundings);
@@ -263,17 +275,11 @@ namespace Crevasse
   void
   LipBasis<dim>::make_opening(Node &node, const Meanings &supported)
   {
-    Weights opening;
-    for (const unsigned int side : {0, 1})
-      for (unsigned int d = 0; d < dim; ++d)
-        if (node.sides[side] != numbers::invalid_dof_index)
-          add_expanded(node.sides[side] + d,
-                       (side == 0 ? 1. : -1.) * node.normal[d],
-                       supported,
-                       opening);
     // With two lips, a degree of freedom may belong to another rank's lip.
     const auto unknown =
-      make_unknown(opening, node.sides[1] == numbers::invalid_dof_index);
+      make_unknown(jump_along(node.normal, node, supported),
+                   node.sides[1] == numbers::invalid_dof_index &&
+                     !has_friction);
     if (!unknown)
       throw_dependent(node.point);
     std::tie(node.unknown, node.sign) = *unknown;
@@ -368,27 +374,6 @@ namespace Crevasse
     boost::connected_components(graph, numbers.data());
     for (unsigned int i = 0; i < nodes.size(); ++i)
       nodes[i].lip = numbers[i];
-  }
-
-
-
-  template <int dim>
-  std::vector<Tensor<1, dim>>
-  LipBasis<dim>::jumps(const Vector &nodal_values) const
-  {
-    std::vector<double> all(nodes.size() * dim);
-    for (unsigned int i = 0; i < all.size(); ++i)
-      for (const unsigned int side : {0, 1})
-        // A node's degrees of freedom are on one rank. The second side that is
-        // missing at a rigid plane is on none.
-        if (const auto first = nodes[i / dim].sides[side];
-            nodal_values.in_local_range(first))
-          all[i] += (side == 0 ? 1. : -1.) * nodal_values(first + i % dim);
-    Utilities::MPI::sum(all, nodal_values.get_mpi_communicator(), all);
-    std::vector<Tensor<1, dim>> jumps(nodes.size());
-    for (unsigned int i = 0; i < all.size(); ++i)
-      jumps[i / dim][i % dim] = all[i];
-    return jumps;
   }
 
 

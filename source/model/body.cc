@@ -252,6 +252,8 @@ namespace Crevasse
           Expression(*scene.boundary.gap))
     , loads(space, strain_operator, scene.loads)
   {
+    if (space.lip.has_friction)
+      friction.emplace(lip, temperature, *scene.boundary.friction);
     require_materials(scene, *mesh);
     // Effects in the tables must agree with the computation.
     Assert((Effects::first_on(effects.free_strains) != nullptr) ==
@@ -357,6 +359,13 @@ namespace Crevasse
             bounds.sign.push_back(1.);
             bounds.gap.push_back(0.);
           }
+    if (lip.basis.has_friction)
+      for (unsigned int c = 0; c < dim - 1; ++c)
+        {
+          auto &along = bounds.tangents.emplace_back();
+          for (const LipNode<dim> &node : lip.nodes)
+            along.push_back(node.sliding[c]);
+        }
     for (const auto &nodes_of_face : lip.basis.nodes_of_faces)
       {
         auto &face = bounds.faces.emplace_back();

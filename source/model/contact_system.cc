@@ -3,6 +3,7 @@
 
 #include <crevasse/contact/active_set.h>
 #include <crevasse/contact/condensed_active_set.h>
+#include <crevasse/contact/condensed_friction.h>
 #include <crevasse/contact/no_contact.h>
 #include <crevasse/contact/projected_sor.h>
 #include <crevasse/linear/gmg_cg.h>
@@ -74,6 +75,11 @@ namespace Crevasse
       return std::make_unique<NoContact>(problem,
                                          linear_solver(),
                                          parameters.tolerance);
+    if (!problem.bounds.tangents.empty())
+      return std::make_unique<CondensedFriction>(
+        problem,
+        dynamic_cast<DirectSolver &>(linear_solver()), // see choose_contact
+        parameters.tolerance);
     switch (settings.contact_choice.type)
       {
         case ContactSolverType::projected_sor:
@@ -130,7 +136,7 @@ namespace Crevasse
           make_matrix_solver(type,
                              space,
                              with_springs.m() > 0 ? with_springs : matrix,
-                             condenses ? signorini_problem->all_bounded_dofs()
+                             condenses ? signorini_problem->all_lip_dofs()
                                        : DirectSolver::Indices(),
                              analysis);
       }

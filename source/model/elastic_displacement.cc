@@ -80,6 +80,7 @@ namespace Crevasse
                              body.points,
                              body.loads,
                              systems);
+    evolution.slide_with(body.friction);
     for (const double t : instants)
       {
         evolution.elastic_state(t);

@@ -128,6 +128,25 @@ namespace Crevasse
 
 
 
+    /** The solver for contact with friction. */
+    ContactSolverChoice
+    choose_for_friction(const ContactSolverType solver,
+                        const LinearSolverType  linear_solver)
+    {
+      using Type = ContactSolverType;
+      if (traits(linear_solver).has(Trait::is_multigrid))
+        throw SceneError(
+          "[Boundary] Friction coefficient: friction needs a factorisation. "
+          "Set [Linear solver] Type = cholesky or mumps.");
+      if (solver != Type::automatic && solver != Type::condensed_active_set)
+        throw SceneError("[Contact] Solver = " + name_of(solver) +
+                         ": is for contact without friction. Use automatic.");
+      return {Type::condensed_active_set,
+              "friction is solved on the lip alone"};
+    }
+
+
+
     ContactSolverChoice
     choose_contact(const ContactParameters        &parameters,
                    const LinearSolverType          linear_solver,
@@ -181,11 +200,13 @@ namespace Crevasse
     const MPI_Comm    communicator = body.space.communicator();
     const std::size_t n_bounds =
       Utilities::MPI::sum(body.lip.nodes.size(), communicator);
-    const LinearSolverChoice  linear  = choose_linear(scene, body);
-    const ContactSolverChoice contact = choose_contact(scene.contact,
-                                                       linear.type,
-                                                       n_bounds,
-                                                       body.held_by_contact);
+    const LinearSolverChoice  linear = choose_linear(scene, body);
+    const ContactSolverChoice contact =
+      body.friction ? choose_for_friction(scene.contact.solver, linear.type)
+                    : choose_contact(scene.contact,
+                                     linear.type,
+                                     n_bounds,
+                                     body.held_by_contact);
     if (!body.held_by_contact.empty() &&
         (scene.output.elastic_comparison == ComparedLip::open ||
          !scene.contact.relaxation_table.empty()))

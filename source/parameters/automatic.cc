@@ -95,6 +95,10 @@ namespace Crevasse
       return {"[Boundary] Gap = " + gap.text(),
               ": a crack that is open without load may close at its tip, which "
               "the bound of the singular function forbids"};
+    if (const auto &mu = scene.boundary.friction;
+        mu.is_valid() && !mu->is_zero())
+      return {"[Boundary] Friction coefficient = " + mu.text(),
+              ": these functions slide on the lips without friction"};
     return {};
   }
 

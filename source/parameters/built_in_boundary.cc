@@ -82,6 +82,9 @@ namespace Crevasse
         if (role.is_lip) // a lip with contact is not an open crack as well
           no_lips.insert(ids.begin(), ids.end());
       }
+    roles.has_friction = roles.has_contact() &&
+                         parameters.friction.is_valid() &&
+                         !parameters.friction->is_zero();
     return roles;
   }
 

@@ -132,6 +132,10 @@ namespace Crevasse
                  std::string(has_contact ? "a" : "no") +
                    " boundary has the role " +
                    (roles.crack.empty() ? "Contact" : "Crack")};
+    friction  = {"friction",
+                 roles.has_friction,
+                 "[Boundary] Friction coefficient = " +
+                   scene.boundary.friction.text()};
     viscosity = {"viscosity",
                  material.viscosity != ViscosityType::none,
                  "[Material] Viscosity = " + name_of(material.viscosity)};
@@ -224,8 +228,9 @@ namespace Crevasse
   std::vector<Effects::Effect>
   Effects::list() const
   {
-    std::vector<Effect> all = {contact, viscosity, secular_flow, chain};
-    const auto          add = [&all](const std::vector<Effect> &more) {
+    std::vector<Effect> all = {
+      contact, friction, viscosity, secular_flow, chain};
+    const auto add = [&all](const std::vector<Effect> &more) {
       all.insert(all.end(), more.begin(), more.end());
     };
     add(free_strains);
@@ -333,6 +338,7 @@ namespace Crevasse
            formulas);
     for (const auto &force : scene.loads.forces())
       append(force.formulas(), formulas);
+    append({*scene.boundary.friction}, formulas);
     for (const PlacedFormulas &placed : *scene.loads.displacement)
       append(placed.components, formulas);
     if (temperature)

@@ -131,6 +131,17 @@ namespace Crevasse
 
 
 
+  Formula::Parser
+  FormulaParsers::friction_formula() const
+  {
+    return formula_parser("[Boundary] Friction coefficient",
+                          Variables::space_time_and_temperature,
+                          Ranges::not_negative,
+                          tables);
+  }
+
+
+
   FormulaMatrix::Parser
   FormulaParsers::material_matrix(const std::string &name) const
   {

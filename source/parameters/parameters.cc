@@ -191,6 +191,14 @@ namespace Crevasse
       "negative: it is open by this length. Allowed: a formula of x, y, z with "
       "values of at most 0",
       prm);
+    friction.add_parameter(
+      "Friction coefficient",
+      "Coefficient of Coulomb's friction between lips that touch, or between a "
+      "lip and a rigid plane: they slide only where the shear stress reaches "
+      "this coefficient times the pressure. Allowed: 0 (no friction), a "
+      "greater number, or a formula of x, y, z, t, theta with values of at "
+      "least 0",
+      prm);
   }
 
 

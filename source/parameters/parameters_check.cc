@@ -131,6 +131,7 @@ namespace Crevasse
       }
     checker.demand_valid("Fixed points", fixed_points);
     checker.demand_valid("Gap", gap);
+    checker.demand_valid("Friction coefficient", friction);
   }
 
 

@@ -7,6 +7,50 @@
 
 namespace Crevasse
 {
+  namespace
+  {
+    void
+    check_friction(const Scene         &scene,
+                   const BoundaryRoles &roles,
+                   Problems            &problems)
+    {
+      const std::string reason = " with [Boundary] Friction coefficient = " +
+                                 scene.boundary.friction.text();
+      const Checker boundary(BoundaryParameters::section, problems);
+      boundary.demand(scene.dimension == 2,
+                      "Friction coefficient",
+                      "must be 0 with [Geometry] Dimension = 3: friction is in "
+                      "the plane only");
+      boundary.demand(
+        roles.contact.empty() || scene.geometry.shape == Shape::mesh_file,
+        "Friction coefficient",
+        "must be 0 for a built-in shape: its crack lies in a plane "
+        "of symmetry, where nothing slides; use a mesh file with "
+        "[Boundary] Crack");
+      const Checker geometry(GeometryParameters::section, problems);
+      geometry.demand(!scene.geometry.crack_growth.is_valid() ||
+                        scene.geometry.crack_growth->empty(),
+                      "Crack growth",
+                      "must be empty" + reason);
+      const Checker time(TimeIntegrationParameters::section, problems);
+      time.demand(
+        !traits(scene.time_integration.scheme).has(Trait::is_of_arkode),
+        "Scheme",
+        "must not be one of ARKODE" + reason +
+          ", as its steps begin where no slip has been counted; use "
+          "automatic, heun, rk4 or sdirk2");
+      const Checker refinement(RefinementParameters::section, problems);
+      refinement.demand(
+        scene.refinement.strategy != RefinementStrategy::adaptive,
+        "Strategy",
+        "must not be adaptive" + reason +
+          ": the slip of pairs of nodes is not carried from mesh to "
+          "mesh; use tip or uniform");
+    }
+  } // namespace
+
+
+
   void
   check_roles(const Scene &scene, Problems &problems)
   {
@@ -16,6 +60,8 @@ namespace Crevasse
     const BoundaryRoles roles =
       resolve_roles(scene.boundary, built_in_roles(scene.geometry));
     scene.loads.check_boundaries(roles, problems);
+    if (roles.has_friction)
+      check_friction(scene, roles, problems);
     const std::string reason =
       "with [Boundary] Displaced, the motion of which it does not include";
     const bool is_displaced = !roles.displaced.empty();

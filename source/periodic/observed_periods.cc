@@ -226,6 +226,7 @@ namespace Crevasse
       }
     else
       evolution.elastic_state(t);
+    evolution.commit();
 
     const State &state = evolution.state();
     history.record(t, state.stress);
@@ -257,6 +258,7 @@ namespace Crevasse
       evolution.rate(end.instant, r, rate);
     else
       evolution.elastic_state(end.instant);
+    evolution.commit();
     history.record(end.instant, end.state.stress);
     if (is_shown)
       for (Observer *observer : observers)

@@ -106,6 +106,13 @@ namespace Crevasse
 
 
 
+    /** Why friction leaves no method but the march. */
+    constexpr const char *friction_remembers =
+      "[Boundary] Friction coefficient: where closed lips stick depends on the "
+      "way there, so that several states may be periodic";
+
+
+
     template <int dim>
     bool
     has_mean_load(const Body<dim> &body, const StepList &steps)
@@ -128,6 +135,21 @@ namespace Crevasse
            const double              largest_relaxation_time)
     {
       const PeriodicStateParameters &parameters = scene.periodic_state;
+      if (body.friction)
+        {
+          if (!parameters.missions.empty())
+            throw SceneError("[Periodic state] Missions: must be empty. " +
+                             std::string(friction_remembers) + ".");
+          if (parameters.method != Method::automatic &&
+              parameters.method != Method::march)
+            throw SceneError(
+              "[Periodic state] Method = " + name_of(parameters.method) +
+              ": must be march or automatic. " + friction_remembers + ".");
+          PeriodicChoice march;
+          march.method = Method::march;
+          march.why    = friction_remembers;
+          return march;
+        }
       if (!parameters.missions.empty())
         if (const std::string obstacle = averaged_obstacle(scene, body, linear);
             !obstacle.empty())
@@ -193,7 +215,7 @@ namespace Crevasse
                          const LinearSolverChoice &linear,
                          const double              largest_relaxation_time)
   {
-    if (!body.effects.viscosity.on)
+    if (!body.effects.viscosity.on && !body.friction)
       {
         if (!scene.periodic_state.missions.empty())
           throw SceneError(
@@ -205,7 +227,7 @@ namespace Crevasse
       }
     PeriodicChoice choice =
       choose(scene, body, steps, linear, largest_relaxation_time);
-    if (scene.periodic_state.method == Method::march &&
+    if (scene.periodic_state.method == Method::march && !body.friction &&
         choose_automatically(
           scene, body, steps, linear, largest_relaxation_time)
             .method != Method::march)

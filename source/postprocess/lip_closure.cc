@@ -79,11 +79,15 @@ namespace Crevasse
                                  end.instant,
                                  sample.time - sample.instant,
                                  strain,
-                                 sample.viscous_strain});
+                                 sample.viscous_strain,
+                                 {},
+                                 {},
+                                 committed});
               break;
             }
       }
-    strain = sample.viscous_strain;
+    strain    = sample.viscous_strain;
+    committed = sample.state.friction.reference;
   }
 
 
@@ -172,6 +176,21 @@ namespace Crevasse
 
 
 
+  namespace
+  {
+    void
+    serialize_jumps(StateArchive &archive, std::vector<std::vector<double>> &v)
+    {
+      std::size_t n_tangents = v.size();
+      archive.common(n_tangents);
+      v.resize(n_tangents);
+      for (std::vector<double> &along : v)
+        archive.on_bounds(along);
+    }
+  } // namespace
+
+
+
   template <int dim>
   void
   LipClosure<dim>::serialize(StateArchive &archive)
@@ -195,8 +214,10 @@ namespace Crevasse
         archive.common(change.begin_of_period);
         archive.at_points(change.strain_at_begin);
         archive.at_points(change.strain_at_end);
+        serialize_jumps(archive, change.committed);
       }
     archive.at_points(strain);
+    serialize_jumps(archive, committed);
   }
 
 

@@ -50,6 +50,7 @@ namespace Crevasse
       });
     AssertThrow(step != changes.end(), ExcInternalError());
     evolution.begin_step(step->begin);
+    evolution.return_to(step->committed);
     if (step->strain_at_begin.size() == 0)
       evolution.elastic_state(instant);
     else

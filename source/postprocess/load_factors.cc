@@ -33,6 +33,9 @@ namespace Crevasse
              comparison,
              "the closed forms hold for a lip without initial opening; here "
              "[Boundary] Gap is not 0.");
+      demand(!body.friction,
+             comparison,
+             "the closed forms hold for lips without friction.");
       demand(!body.material.stiffness_varies &&
                !body.material.has_free_strain(),
              comparison,

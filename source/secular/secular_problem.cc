@@ -213,6 +213,8 @@ namespace Crevasse
   {
     if (!body.effects.viscosity.on)
       return "without viscosity nothing flows";
+    if (body.friction)
+      return "closed lips with friction hold the body against a flow";
     if (body.law.has_spring())
       return "the elastic spring of the chain bears the mean load";
     if (body.law.creep != nullptr)

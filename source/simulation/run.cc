@@ -65,10 +65,11 @@ namespace Crevasse
                          body.lip,
                          &body.imposed))
     , steps(scene)
-    , integrator(
-        body.effects.viscosity.on
-          ? make_integrator(scene.time_integration, body.effects.contact.on)
-          : nullptr)
+    , integrator(body.effects.viscosity.on
+                   ? make_integrator(scene.time_integration,
+                                     body.effects.contact.on,
+                                     body.friction && body.law.creep == nullptr)
+                   : nullptr)
     , magnitudes(find_magnitudes(scene, integrator.get(), own_body, steps))
     , solvers(choose_solvers(scene, body))
     , choice(choose_periodic_method(scene,

@@ -5,6 +5,7 @@
 #include <crevasse/postprocess/crack_front_table.h>
 #include <crevasse/postprocess/creep_integral_table.h>
 #include <crevasse/postprocess/field_writer.h>
+#include <crevasse/postprocess/friction_table.h>
 #include <crevasse/postprocess/mission_table.h>
 #include <crevasse/postprocess/period_table.h>
 #include <crevasse/postprocess/probe_tables.h>
@@ -111,6 +112,14 @@ namespace Crevasse
         return add(std::make_unique<LipClosure<dim>>(body,
                                                      path("lip.csv"),
                                                      run.evolution));
+      }
+
+      void
+      add_friction()
+      {
+        add(std::make_unique<FrictionTable<dim>>(body,
+                                                 path("friction.csv"),
+                                                 run.log));
       }
 
       /** @param closure of the lip; null without contact. */
@@ -324,7 +333,9 @@ namespace Crevasse
       outputs.add(std::make_unique<Extremes<dim>>(*this))->lip;
     outputs.add_probes();
     closure = body.effects.contact.on ? outputs.add_lip(lip) : nullptr;
-    if (!body.space.roles.crack.empty())
+    if (body.friction)
+      outputs.add_friction();
+    else if (!body.space.roles.crack.empty())
       outputs.add(std::make_unique<SlipWhileClosed<dim>>(body, log));
     const Drift<dim> *const drift =
       outputs.add(std::make_unique<Drift<dim>>(*this));

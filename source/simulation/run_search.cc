@@ -106,6 +106,7 @@ namespace Crevasse
   Run<dim>::prepare_evolution()
   {
     Vector &r = state.viscous_strain;
+    evolution.slide_with(body.friction);
     if (flow && split.is_split)
       evolution.split_off(*flow);
     if (integrator != nullptr &&
@@ -344,7 +345,7 @@ namespace Crevasse
       march(periods, slowness, times.creep_exponent, state.viscous_strain);
 
     state.result = periods.result();
-    if (!state.result.converged && periods.has_memory())
+    if (!state.result.converged && periods.remembers())
       state.result.place = place_of_change(body, steps, periods.stresses());
     const bool ends = state.result.converged ||
                       state.result.periods < last_period ||

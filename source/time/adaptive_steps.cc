@@ -93,7 +93,8 @@ namespace Crevasse
         bool   was_rejected = false;
         double step_error;
         error.reinit(r, true);
-        saved = r;
+        saved                = r;
+        const auto committed = f.committed_jumps();
         while (true)
           {
             error = 0.;
@@ -122,6 +123,7 @@ namespace Crevasse
             ++rejected;
             was_rejected = true;
             r            = saved;
+            f.return_to(committed);
             if (known_end >= 0.)
               {
                 // The method has already started at the end.

@@ -283,9 +283,9 @@ namespace Crevasse
   std::vector<double>
   ArkodeDriver::switching_functions() const
   {
-    std::vector<double> mine;
+    std::vector<std::vector<double>> mine; // one list: there is no friction
     equation.last().switching_functions(mine);
-    return of_all_ranks(current.get_mpi_communicator(), mine);
+    return of_all_ranks(current.get_mpi_communicator(), mine.front());
   }
 
 

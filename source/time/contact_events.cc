@@ -52,6 +52,7 @@ namespace Crevasse
             communicator = r.get_mpi_communicator();
             begin.rate.reinit(r, true);
             method->start(f, t, r, begin.rate);
+            f.commit();
             f.switching_functions(begin.functions);
           }
         is_continuing = false;
@@ -83,6 +84,8 @@ namespace Crevasse
               ++given_up;
             if (estimates_error)
               *step.error += to.error;
+            step.f.commit();
+            step.f.switching_functions(to.functions);
             if (to.t == end)
               break;
             std::swap(from, to);
@@ -111,11 +114,11 @@ namespace Crevasse
         // State where the next step begins, as an adaptive step may have
         // started.
         archive.at_points(begin.rate);
-        archive.on_bounds(begin.functions);
+        serialize(archive, begin.functions);
         archive.common(to.t);
         archive.at_points(to.r);
         archive.at_points(to.rate);
-        archive.on_bounds(to.functions);
+        serialize(archive, to.functions);
         archive.common(rounding);
         for (std::size_t *count : {&events, &trials, &missed, &given_up})
           archive.common(*count);
@@ -123,6 +126,18 @@ namespace Crevasse
       }
 
     private:
+      using Functions = std::vector<std::vector<double>>;
+
+      static void
+      serialize(StateArchive &archive, Functions &functions)
+      {
+        std::size_t n_lists = functions.size();
+        archive.common(n_lists);
+        functions.resize(n_lists);
+        for (std::vector<double> &list : functions)
+          archive.on_bounds(list);
+      }
+
       static IntegratorProperties
       with_events(IntegratorProperties properties)
       {
@@ -133,9 +148,9 @@ namespace Crevasse
       /** State at the beginning or the end of a trial step. */
       struct Place
       {
-        double              t = 0.;
-        Vector              r, rate, error;
-        std::vector<double> functions; ///< switching functions
+        double    t = 0.;
+        Vector    r, rate, error;
+        Functions functions; ///< switching functions
       };
 
       /** Takes a trial step from `from` to the instant @p t; sets `to`. */
@@ -157,7 +172,7 @@ namespace Crevasse
         f.switching_functions(to.functions);
       }
 
-      /** Sets the side of each node at `from`: 1 open, −1 closed, 0 if it
+      /** Sets the side of each function at `from`: 1 open, −1 closed, 0 if it
        * switches at `from` and is not watched on the way to `to`.
        *
        * @param shortest interval that counts as one instant. */
@@ -166,23 +181,26 @@ namespace Crevasse
       {
         double largest = 0.;
         for (const Place *place : {&from, &to})
-          for (const double function : place->functions)
-            largest = std::max(largest, std::abs(function));
+          for (const auto &list : place->functions)
+            for (const double function : list)
+              largest = std::max(largest, std::abs(function));
         rounding = std::max(rounding,
                             rounding_of_functions *
                               Utilities::MPI::max(largest, communicator));
 
         const double part = shortest / (to.t - from.t);
-        sides.resize(from.functions.size());
-        for (std::size_t k = 0; k < sides.size(); ++k)
-          {
-            const double before = from.functions[k], after = to.functions[k];
-            const bool   switches_at_once =
-              std::abs(before) <= part * std::abs(after - before);
-            sides[k] = switches_at_once || std::abs(before) <= rounding
-                         ? 0
-                         : (before > 0. ? 1 : -1);
-          }
+        sides.clear();
+        for (std::size_t l = 0; l < from.functions.size(); ++l)
+          for (std::size_t k = 0; k < from.functions[l].size(); ++k)
+            {
+              const double before = from.functions[l][k];
+              const double after  = to.functions[l][k];
+              const bool   switches_at_once =
+                std::abs(before) <= part * std::abs(after - before);
+              sides.push_back(switches_at_once || std::abs(before) <= rounding
+                                ? 0
+                                : (before > 0. ? 1 : -1));
+            }
       }
 
       /** Least switching function of watched nodes, with the sign that makes it
@@ -191,9 +209,11 @@ namespace Crevasse
       least_function(const Place &place) const
       {
         double least = std::numeric_limits<double>::max();
-        for (std::size_t k = 0; k < sides.size(); ++k)
-          if (sides[k] != 0)
-            least = std::min(least, sides[k] * place.functions[k] + rounding);
+        auto   side  = sides.begin();
+        for (const auto &list : place.functions)
+          for (const double function : list)
+            if (const int s = *side++; s != 0)
+              least = std::min(least, s * function + rounding);
         return Utilities::MPI::min(least, communicator);
       }
 

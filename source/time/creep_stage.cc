@@ -187,8 +187,10 @@ namespace Crevasse
         before                       = state.displacement;
         solver.solve(right_hand_side,
                      state.displacement,
-                     state.contact_forces.normal,
-                     state.stiffness_factor);
+                     state.contact_forces,
+                     state.stiffness_factor,
+                     state.friction.reference.empty() ? nullptr
+                                                      : &state.friction);
         evaluate(stage, next);
         acceleration->add(right_hand_side, next);
         right_hand_side -= next;

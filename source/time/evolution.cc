@@ -31,12 +31,11 @@ namespace Crevasse
   void
   Evolution<dim>::solve(const double t, ContactSolver &solver, const double k)
   {
-    solver.solve(loading, last.displacement, last.contact_forces.normal, k);
+    solver.solve(
+      loading, last.displacement, last.contact_forces, k, friction_at(t));
     last.stiffness_factor = k;
     last.instant          = t;
-    last_solver           = &solver;
-    if (lip_history != nullptr)
-      lip_history->record(t, last);
+    note(solver);
   }
 
 
@@ -190,9 +189,8 @@ namespace Crevasse
     const double    t = instant_of(time);
     if (instants.material_at(t).creep != nullptr)
       {
-        last_solver = &creep_stage.solve(t, known, base, c, last, loading);
-        if (lip_history != nullptr)
-          lip_history->record(t, last);
+        friction_at(t);
+        note(creep_stage.solve(t, known, base, c, last, loading));
         creep_stage.rates({instants.material_at(t), known},
                           c,
                           last.stress,

@@ -309,8 +309,17 @@ namespace Crevasse
 
 
   std::unique_ptr<Integrator>
-  make_integrator(TimeIntegrationParameters parameters, const bool has_contact)
+  make_integrator(TimeIntegrationParameters parameters,
+                  const bool                has_contact,
+                  const bool                has_friction)
   {
+    // Without events, friction leaves every scheme of order 1. A step that they
+    // shorten must not cost a factorisation.
+    if (has_friction && parameters.scheme == Scheme::automatic)
+      {
+        parameters.scheme                = Scheme::exponential;
+        parameters.locate_contact_events = true;
+      }
     parameters.locate_contact_events &= has_contact;
     std::unique_ptr<Integrator> method = make_method(parameters);
     if (parameters.locate_contact_events && !method->properties.controls_steps)

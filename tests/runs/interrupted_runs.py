@@ -78,6 +78,9 @@ CASES = {
         "Crack tip/Crack growth law=creep", "Crack tip/Creep factor=1",
         "Crack tip/Creep growth parameter=C(t)"],
     "two lips": REDISTRIBUTES + periods(6) + cracked_square(),
+    "friction": periods(4) + cracked_square() + [
+        "Boundary/Friction coefficient=0.3", "Time integration/Scheme=automatic",
+        "Loads/Traction=4*cos(2*pi*t/600)*y; 10*(sin(2*pi*t/600) - 0.7)*y"],
     "readapted": REDISTRIBUTES + periods(6) + [
         "Refinement/Strategy=adaptive", "Refinement/Cycles=2",
         "Refinement/Readapt every=2", "Geometry/Subdivisions=8, 8"],

@@ -28,7 +28,7 @@ STEPS, STAGES = 40, 2
 # Heun's second stage lies within the step: two instants for each.
 INSTANTS = STAGES * STEPS
 
-NAMES = {"contact", "viscosity", "secular flow", "chain", "thermal strain",
+NAMES = {"contact", "friction", "viscosity", "secular flow", "chain", "thermal strain",
          "varying stiffness", "varying viscosity", "body force", "imposed displacement",
          "singular functions", "stress intensity", "field output"}
 

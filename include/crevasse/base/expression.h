@@ -39,6 +39,8 @@ namespace Crevasse
       static constexpr const char *temperature    = "theta";
       static constexpr const char *space          = "x, y, z";
       static constexpr const char *space_and_time = "x, y, z, t";
+      static constexpr const char *space_time_and_temperature =
+        "x, y, z, t, theta";
       static constexpr const char *space_time_and_material =
         "x, y, z, t, theta, material";
     };

@@ -5,6 +5,7 @@
 #define crevasse_contact_certificate_h
 
 #include <crevasse/contact/signorini_problem.h>
+#include <crevasse/lip/contact_forces.h>
 
 #include <limits>
 #include <string>
@@ -82,11 +83,14 @@ namespace Crevasse
     double tension         = 0.; ///< tension: max(−g)
     double complementarity = 0.; ///< max min(|g|, |Lq − gap|)
     double residual        = 0.; ///< max |Aq − b| off the lip
+    /** Friction: max (|g_T| − μg), max min(|δ|, |g_T + μgδ/|δ||), δ the slip.
+     */
+    double friction = 0.;
     /** Largest residual of Newton's method (nonlinear creep), relative to the
      * forces. */
     double newton_residual = 0.;
 
-    /** Largest of the first four errors. */
+    /** Largest of the first five errors. */
     double
     worst() const;
 
@@ -98,20 +102,28 @@ namespace Crevasse
     describe() const;
   };
 
+  /** A right-hand side b, what friction needs to know unless there is none,
+   * and a candidate for the solution q. */
+  struct Candidate
+  {
+    const Vector        &right_hand_side;
+    const Vector        &solution;
+    const FrictionState *friction = nullptr;
+  };
+
   /**
    * Certifies a solution at the cost of one matrix–vector product.
    *
    * @param[in,out] scales Raised to those of this solution, then used.
    * @param[out] residual A q − b off the contact dofs, zero on them.
-   * @param[out] contact_forces g of each locally owned bound.
+   * @param[out] contact_forces of each locally owned bound.
    */
   Certificate
   certify(const SignoriniProblem &problem,
-          const Vector           &right_hand_side,
-          const Vector           &solution,
+          const Candidate        &candidate,
           Scales                 &scales,
           Vector                 &residual,
-          std::vector<double>    &contact_forces);
+          ContactForces          &contact_forces);
 } // namespace Crevasse
 
 #endif

@@ -7,9 +7,8 @@
 #include <crevasse/contact/condensed_problem.h>
 #include <crevasse/contact/contact_solver.h>
 #include <crevasse/contact/lip_graph.h>
+#include <crevasse/contact/proximal_point.h>
 #include <crevasse/linear/direct_solver.h>
-
-#include <deal.II/lac/full_matrix.h>
 
 namespace Crevasse
 {
@@ -20,10 +19,7 @@ namespace Crevasse
    * whether the lip is open or closed. Each rank solves the small problem.
    *
    * If A has unconstrained motions, A with weak springs at the bounds is
-   * factorised. The small problem is solved a few times, with springs that are
-   * relaxed in the previous solution: the proximal point method (Rockafellar,
-   * SIAM J. Control Optim. 14, 1976), whose steps tend to one endless motion if
-   * there is no solution.
+   * factorised, and the small problem is solved a few times: see ProximalPoint.
    */
   class CondensedActiveSet : public ContactSolver
   {
@@ -40,7 +36,7 @@ namespace Crevasse
     bool
     is_exact() const override
     {
-      return free_motions.n() == 0;
+      return !proximal_point.is_needed();
     }
 
     void
@@ -65,26 +61,11 @@ namespace Crevasse
   private:
     using LipVector = CondensedProblem::LipVector;
 
-    /** Solves the small problem if A has unconstrained motions.
-     * @return the number of sets tried.
-     * @throw NumericalError if the loads do work on an unconstrained motion
-     * that no bound stops. */
-    unsigned int
-    solve_with_springs(LipVector &on_lip);
-
-    /** Whether these contact forces leave an unconstrained motion possible. */
-    bool
-    leave_motions_free(const LipVector &forces) const;
-
-    void
-    require_no_escape(const LipVector &step) const;
-
-    DirectSolver              &linear_solver;
-    const LipGraph             lip; ///< nodes of the small problem
-    CondensedProblem           lip_problem;
-    LipVector                  loads;
-    LipVector                  sign, springs; ///< springs of all ranks
-    dealii::FullMatrix<double> free_motions;  ///< one motion in each column
+    DirectSolver    &linear_solver;
+    const LipGraph   lip; ///< nodes of the small problem
+    CondensedProblem lip_problem;
+    LipVector        loads;
+    ProximalPoint    proximal_point;
   };
 } // namespace Crevasse
 

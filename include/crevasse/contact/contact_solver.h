@@ -26,17 +26,32 @@ namespace Crevasse
 
     /**
      * @param[in,out] solution Initial guess of iterative methods; then q.
-     * @param[out] contact_forces g of each locally owned bound.
+     * @param[out] contact_forces of each locally owned bound.
      * @param stiffness_factor k > 0, if the problem is that of k A: with b / k
      * for b it is that of A, with forces g / k.
+     * @param friction for bounds with tangents; null without friction.
      * @throw NumericalError with certificate and advice if no solution within
      * the tolerance was found.
      */
     void
     solve(const Vector        &right_hand_side,
           Vector              &solution,
-          std::vector<double> &contact_forces,
-          const double         stiffness_factor = 1.);
+          ContactForces       &contact_forces,
+          const double         stiffness_factor = 1.,
+          const FrictionState *friction         = nullptr);
+
+    /** Solves without friction, for the normal forces alone. */
+    void
+    solve(const Vector        &right_hand_side,
+          Vector              &solution,
+          std::vector<double> &normal_forces,
+          const double         stiffness_factor = 1.)
+    {
+      ContactForces forces;
+      forces.normal.swap(normal_forces);
+      solve(right_hand_side, solution, forces, stiffness_factor);
+      forces.normal.swap(normal_forces);
+    }
 
     /** Complementarity function φ = L q − gap − κg of each locally owned bound,
      * with κ = 1/(k A_ii): positive where open, negative where closed. */
@@ -45,6 +60,15 @@ namespace Crevasse
                               const std::vector<double> &contact_forces,
                               const double               stiffness_factor,
                               std::vector<double>       &values) const;
+
+    /** Function ψ of each locally owned bound with friction, see
+     * RateEquation::switching_functions(). */
+    void
+    stick_functions(const Vector        &solution,
+                    const ContactForces &contact_forces,
+                    const double         stiffness_factor,
+                    const FrictionState &state,
+                    std::vector<double> &values) const;
 
     /** Sets the force relative to which errors are measured: see Scales. */
     void
@@ -124,6 +148,12 @@ namespace Crevasse
       return {};
     }
 
+    /** Serialises what else the next solution depends on. */
+    virtual void
+    serialize_states(StateArchive &)
+    {
+    }
+
     /** Factor that affects rounding in the next solution; null if none. */
     virtual PrincipalFactor *
     lip_factor()
@@ -172,6 +202,14 @@ namespace Crevasse
       return 0.5 * force_accuracy() * scales.force();
     }
 
+    /** Force that stops no motion: as in ContactBoundary, rounding errors of
+     * loads do not. */
+    double
+    negligible_force() const
+    {
+      return std::max(residual_target(), 1e-9 * scales.force());
+    }
+
     /** Solves A x = b as the certificate requires, from @p solution on. */
     void
     solve_linear(LinearSolver &linear_solver,
@@ -180,7 +218,8 @@ namespace Crevasse
 
     const SignoriniProblem &problem;
     const double            tolerance;
-    Scales                  scales; ///< maxima with the candidate
+    const FrictionState    *friction = nullptr; ///< of the problem being solved
+    Scales                  scales;             ///< maxima with the candidate
     SolverStatistics        counts;
 
   private:
@@ -194,11 +233,11 @@ namespace Crevasse
     [[noreturn]] void
     fail(const Certificate &certified, const std::size_t n_iterations) const;
 
-    double              load = 0.; ///< from set_force_scale()
-    Scales              scales_of_solutions;
-    Vector              scaled_right_hand_side; ///< empty until first used
-    Vector              residual;
-    std::vector<double> forces;
+    double        load = 0.; ///< from set_force_scale()
+    Scales        scales_of_solutions;
+    Vector        scaled_right_hand_side; ///< empty until first used
+    Vector        residual;
+    ContactForces forces;
   };
 } // namespace Crevasse
 

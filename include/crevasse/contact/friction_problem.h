@@ -10,7 +10,7 @@ namespace Crevasse
 {
   /** State of a pair of nodes on two lips: apart, or in contact without slip,
    * with slip along the tangent, or against it. */
-  enum class PairState : unsigned char
+  enum class SlipState : unsigned char
   {
     open,
     stick,
@@ -40,11 +40,18 @@ namespace Crevasse
   public:
     using LipVector = dealii::Vector<double>;
 
-    /** Where a pair has its unknowns in Σ. */
+    /** Where a pair has its unknowns in Σ. Without a tangent, as where supports
+     * hold both sides, it never slides. */
     struct Pair
     {
       unsigned int normal, tangent;
       double       gap;
+
+      bool
+      may_slide() const
+      {
+        return tangent != dealii::numbers::invalid_unsigned_int;
+      }
     };
 
     /** Of an increment: coefficients of friction and q_T^ref of each pair. */
@@ -68,6 +75,13 @@ namespace Crevasse
     unsigned int
     solve(const LipVector &loads, const Increment &increment, LipVector &jumps);
 
+    /** Bytes, without Σ. */
+    std::size_t
+    memory_consumption() const
+    {
+      return factor.memory_consumption() + states.size() * sizeof(SlipState);
+    }
+
     /** The largest violation of the conditions: forces relative to the largest
      * |c| or |Σ_ii q_i|, jumps to the largest |q_i| or |c_i / Σ_ii|. */
     double
@@ -76,7 +90,7 @@ namespace Crevasse
               const LipVector &jumps) const;
 
     /** Of the last solution, or set by the caller for the next solve. */
-    std::vector<PairState> states;
+    std::vector<SlipState> states;
 
     /** Number of solves that needed Lemke's method. */
     unsigned int
@@ -84,6 +98,8 @@ namespace Crevasse
     {
       return rescues;
     }
+
+    PrincipalFactor factor; ///< of Σ for the free unknowns
 
   private:
     /** Finds the jumps for the states. */
@@ -93,7 +109,7 @@ namespace Crevasse
                       LipVector       &jumps);
 
     /** The states that jumps and forces call for. */
-    std::vector<PairState>
+    std::vector<SlipState>
     next_states(const LipVector &loads,
                 const Increment &increment,
                 const LipVector &jumps) const;
@@ -107,7 +123,6 @@ namespace Crevasse
     solve_by_lemke(const LipVector &loads, const Increment &increment);
 
     const std::vector<Pair> pairs;
-    PrincipalFactor         factor; ///< of Σ for the free unknowns
     LipVector               fixed, right_hand_side, forces;
     unsigned int            rescues = 0;
   };

@@ -31,6 +31,10 @@ namespace Crevasse
     std::vector<double>                          sign;
     std::vector<double>                          gap;
 
+    /** With friction, the unknown of the jump along each tangent, for each
+     * bound; invalid where there is none. */
+    std::vector<std::vector<dealii::types::global_dof_index>> tangents;
+
     /** Unknowns with bounds on each face of the lips, of all ranks. */
     std::vector<std::vector<dealii::types::global_dof_index>> faces;
 
@@ -106,8 +110,23 @@ namespace Crevasse
       return all_dofs;
     }
 
+    /** With friction, the unknowns along each tangent at the bounds on all
+     * ranks, in the order of all_bounded_dofs(); invalid where there is none.
+     */
+    const std::vector<LinearOperator::Indices> &
+    all_tangents() const
+    {
+      return tangents;
+    }
+
+    /** Unknowns of the condensed problem: those with bounds, then the valid
+     * ones of each tangent. */
+    LinearOperator::Indices
+    all_lip_dofs() const;
+
   private:
-    LinearOperator::Indices all_dofs;
+    LinearOperator::Indices              all_dofs;
+    std::vector<LinearOperator::Indices> tangents;
   };
 } // namespace Crevasse
 

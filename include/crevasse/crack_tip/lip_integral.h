@@ -10,8 +10,9 @@
 namespace Crevasse
 {
   /** Contribution ∫ 2 p q / √(2πr) ds of the pressure p on the lip to the
-   * interaction integral, as factors of the contact forces of the lip's local
-   * nodes. */
+   * interaction integral for K_I, as factors of the contact forces of the lip's
+   * local nodes. The shear traction of friction contributes alike to K_II, with
+   * the forces along the tangents: see LipBasis. */
   std::vector<double>
   lip_integral(const Body<2>      &body,
                const CrackTip     &tip,

@@ -14,6 +14,18 @@ namespace Crevasse
     /** Normal force g of each bound: of the nodes of ContactBoundary in their
      * order, then of other bounds. */
     std::vector<double> normal;
+    /** With friction, forces g_T of each bound along the tangents of its node:
+     * a list for each of the dim − 1 tangents; otherwise empty. */
+    std::vector<std::vector<double>> tangential;
+  };
+
+  /** What friction needs to know at an instant, for each bound of this rank;
+   * empty without friction. */
+  struct FrictionState
+  {
+    std::vector<double> coefficients; ///< coefficients of friction μ
+    /** Jumps q_T^ref where the increment begins, a list for each tangent. */
+    std::vector<std::vector<double>> reference;
   };
 } // namespace Crevasse
 

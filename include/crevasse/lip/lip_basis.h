@@ -38,6 +38,11 @@ namespace Crevasse
        * supports, shared by both lips, or a hanging node. */
       Index  unknown = dealii::numbers::invalid_dof_index;
       double sign    = 1.;
+      /** With friction, orthonormal tangents t, so that t·(u⁺ − u⁻) is the
+       * unknown in `sliding`: invalid if supports fix it, or if the node has no
+       * unknown. */
+      std::array<dealii::Tensor<1, dim>, dim - 1> tangents;
+      std::array<Index, dim - 1>                  sliding;
       /** Contact force under a uniform pressure 1: the part of ∫φ n along the
        * normal, with the share of hanging nodes; less than ∫φ at a kink. 0 if
        * the node has no unknown, or if the weight is too small to compute a
@@ -51,6 +56,11 @@ namespace Crevasse
       std::vector<std::pair<unsigned int, double>> masters;
       /** Number of the lip, a connected set of faces. */
       unsigned int lip = 0;
+
+      Node()
+      {
+        sliding.fill(dealii::numbers::invalid_dof_index);
+      }
 
       bool
       has_unknown() const
@@ -97,6 +107,9 @@ namespace Crevasse
     /** Numbers of the nodes on each face of the lips. */
     std::vector<std::vector<unsigned int>> nodes_of_faces;
 
+    /** Whether tangential jumps are unknowns, too. */
+    bool has_friction = false;
+
   private:
     struct Surroundings;
 
@@ -122,6 +135,16 @@ namespace Crevasse
 
     void
     make_opening(Node &node, const Meanings &supported);
+
+    /** Makes the tangential jumps unknowns, after all openings. */
+    void
+    make_sliding(Node &node, const Meanings &supported);
+
+    /** The jump along a direction as a function of degrees of freedom. */
+    Weights
+    jump_along(const dealii::Tensor<1, dim> &direction,
+               const Node                   &node,
+               const Meanings               &supported) const;
 
     /** Sets the weights of nodes, with the loads of hanging nodes. */
     void

@@ -11,7 +11,7 @@
 #include <crevasse/discretisation/material_field.h>
 #include <crevasse/discretisation/rigid_motions.h>
 #include <crevasse/discretisation/strain_operator.h>
-#include <crevasse/lip/contact_boundary.h>
+#include <crevasse/lip/friction.h>
 #include <crevasse/parameters/effects.h>
 
 namespace Crevasse
@@ -65,6 +65,7 @@ namespace Crevasse
     const StrainOperator<dim>      strain_operator;
     ContactBoundary<dim>           lip;
     const ExternalLoads<dim>       loads;
+    std::optional<Friction<dim>>   friction; ///< none without friction
   };
 
   /** Limit of a property of the material at a tip, if it is the same from all

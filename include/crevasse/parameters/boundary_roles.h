@@ -34,6 +34,8 @@ namespace Crevasse
     /** Whether x₁ = 0 is the axis of a body of revolution, where the radial
      * displacement vanishes. */
     bool has_axis = false;
+    /** Whether lips that touch bear friction. */
+    bool has_friction = false;
 
     bool
     has_contact() const

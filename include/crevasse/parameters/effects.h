@@ -21,6 +21,7 @@ namespace Crevasse
     };
 
     Effect contact;
+    Effect friction; ///< Coulomb's friction between lips
     Effect viscosity;
     Effect secular_flow; ///< secular flow, once loads are known
     Effect chain;

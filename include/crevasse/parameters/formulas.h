@@ -61,6 +61,11 @@ namespace Crevasse
     Formula::Parser
     gap_formula() const;
 
+    /** Parses a coefficient of friction: a formula of point, instant and
+     * temperature, with values of at least 0. */
+    Formula::Parser
+    friction_formula() const;
+
     /** Parses a chain: "fraction: time; fraction: time". */
     std::function<std::vector<ChainBranch>(const std::string &)>
     chain_parser() const;

@@ -43,7 +43,7 @@ namespace Crevasse
         const double change = periods.compute(r);
         // std::max() returns its first argument if that is nan.
         periods.report(
-          periods.has_memory()
+          periods.remembers()
             ? std::max({contraction.add(change, !is_first, periods.rounding()),
                         (slowness - 1.) * change,
                         periods.return_defect()})

@@ -104,7 +104,15 @@ namespace Crevasse
     bool
     begins_another(Vector &r);
 
-    /** Whether the body is viscous; an elastic one needs a single period. */
+    /** Whether a period depends on the one before: the body is viscous, or its
+     * lips bear friction. Otherwise a single period is enough. */
+    bool
+    remembers() const
+    {
+      return has_memory() || evolution.has_friction();
+    }
+
+    /** Whether the body is viscous. */
     bool
     has_memory() const
     {
@@ -230,7 +238,7 @@ namespace Crevasse
     bool
     is_within_tolerance(const double error_estimate) const
     {
-      return !has_memory() ||
+      return !remembers() ||
              (limits.tolerance > 0. && error_estimate <= limits.tolerance);
     }
 

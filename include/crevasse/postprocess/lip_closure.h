@@ -84,6 +84,8 @@ namespace Crevasse
       /** Rates less the mean rate of the step, 0 where they are far from it, as
        * of branches that relax within the step. Empty until they are needed. */
       Vector rate_at_begin = {}, rate_at_end = {};
+      /** Tangential jumps from which friction counts; empty without it. */
+      std::vector<std::vector<double>> committed = {};
     };
 
     /** State of the contact nodes of all ranks at an instant: the opening of
@@ -140,6 +142,8 @@ namespace Crevasse
     std::vector<Moment> period; ///< moments of last period
     std::vector<Change> changes;
     Vector              strain; ///< at the last sample, or last solved for
+    /** Jumps from which friction counts after the last sample. */
+    std::vector<std::vector<double>> committed;
   };
 } // namespace Crevasse
 

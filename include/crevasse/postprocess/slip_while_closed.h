@@ -15,8 +15,8 @@ namespace Crevasse
   /**
    * Measures how far closed lips slide on each other in the last period: for
    * each pair of nodes, the path length of the tangential jump between samples
-   * at which the pair is closed. The model has no friction; where lips slide,
-   * friction would matter.
+   * at which the pair is closed. Without friction, where lips slide, friction
+   * would matter.
    */
   template <int dim>
   class SlipWhileClosed : public Observer
@@ -81,7 +81,8 @@ namespace Crevasse
         log.line("  closed lips slide on each other by up to " +
                  Text::from_number(*largest, 3) + " per period, at " +
                  Text::from_point(where) +
-                 "; friction, which the model neglects, would matter there");
+                 "; friction would matter there: [Boundary] Friction "
+                 "coefficient");
     }
 
   private:

@@ -5,6 +5,7 @@
 #define crevasse_time_evolution_h
 
 #include <crevasse/discretisation/external_loads.h>
+#include <crevasse/lip/friction.h>
 #include <crevasse/time/creep_stage.h>
 #include <crevasse/time/inelastic_strain.h>
 #include <crevasse/time/instant_provider.h>
@@ -47,6 +48,42 @@ namespace Crevasse
     split_off(const SecularFlow &secular_flow)
     {
       flow = &secular_flow;
+    }
+
+    /** Lets the lips bear friction, if any, from a state of rest on. */
+    void
+    slide_with(const std::optional<Friction<dim>> &law)
+    {
+      if (!law)
+        return;
+      friction                       = &*law;
+      last.friction                  = law->at_rest();
+      last.contact_forces.tangential = last.friction.reference;
+    }
+
+    bool
+    has_friction() const
+    {
+      return friction != nullptr;
+    }
+
+    void
+    commit() override
+    {
+      if (friction != nullptr)
+        friction->commit(last.displacement, last.friction);
+    }
+
+    std::vector<std::vector<double>>
+    committed_jumps() const override
+    {
+      return last.friction.reference;
+    }
+
+    void
+    return_to(const std::vector<std::vector<double>> &jumps) override
+    {
+      last.friction.reference = jumps;
     }
 
     /** Maps times of the equation into the period of these steps, which must
@@ -124,12 +161,12 @@ namespace Crevasse
       return elastic_stress;
     }
 
-    /** Whether evaluations repeat to the last bit: creep is linear, and the
-     * last contact solver is exact. */
+    /** Whether evaluations repeat to the last bit from r alone: creep is
+     * linear, the last contact solver is exact, and no friction remembers. */
     bool
     repeats_exactly() const
     {
-      return fastest < 0. && last_solver->is_exact();
+      return fastest < 0. && friction == nullptr && last_solver->is_exact();
     }
 
     double
@@ -154,12 +191,19 @@ namespace Crevasse
     strain_per_stress(const Vector &r, Vector &scale) const override;
 
     void
-    switching_functions(std::vector<double> &values) const override
+    switching_functions(std::vector<std::vector<double>> &values) const override
     {
+      values.resize(friction == nullptr ? 1 : 2);
       last_solver->complementarity_functions(last.displacement,
                                              last.contact_forces.normal,
                                              last.stiffness_factor,
-                                             values);
+                                             values.front());
+      if (friction != nullptr)
+        last_solver->stick_functions(last.displacement,
+                                     last.contact_forces,
+                                     last.stiffness_factor,
+                                     last.friction,
+                                     values.back());
     }
 
     /** Sets stress_scale() by the largest elastic stress, strain_per_stress()
@@ -201,6 +245,7 @@ namespace Crevasse
     const ExternalLoads<dim>  &loads;
     InstantProvider<dim>      &instants;
     const SecularFlow         *flow        = nullptr; ///< null: unsplit
+    const Friction<dim>       *friction    = nullptr; ///< null: none
     const StepList            *period      = nullptr; ///< null: any time
     const Vector              *base        = nullptr; ///< r₀, or null
     LipHistory                *lip_history = nullptr; ///< null: not recorded
@@ -214,6 +259,25 @@ namespace Crevasse
         return t;
       return t > step_begin && period->jumps_at(t) ? period->just_before(t)
                                                    : period->within_period(t);
+    }
+
+    /** Keeps the solver of the last state, and records the lip. */
+    void
+    note(ContactSolver &solver)
+    {
+      last_solver = &solver;
+      if (lip_history != nullptr)
+        lip_history->record(last.instant, last);
+    }
+
+    /** State of friction with the coefficients of @p t, or null. */
+    const FrictionState *
+    friction_at(const double t)
+    {
+      if (friction == nullptr)
+        return nullptr;
+      friction->evaluate(t, last.friction);
+      return &last.friction;
     }
 
     /** Solves for q with a given viscous strain, or none if it is empty. */

@@ -11,9 +11,13 @@ namespace Crevasse
 {
   /** Creates a time integrator by its name in the scene.
    *
-   * @param has_contact whether there are events to locate. */
+   * @param has_contact whether there are events to locate.
+   * @param has_friction whether Scheme = automatic locates them; not for creep
+   * that is nonlinear. */
   std::unique_ptr<Integrator>
-  make_integrator(TimeIntegrationParameters parameters, const bool has_contact);
+  make_integrator(TimeIntegrationParameters parameters,
+                  const bool                has_contact,
+                  const bool                has_friction = false);
 } // namespace Crevasse
 
 #endif

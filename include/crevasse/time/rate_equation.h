@@ -74,11 +74,35 @@ namespace Crevasse
     virtual std::size_t
     n_evaluations() const = 0;
 
+    /** Ends an increment of friction with the last evaluation: its jumps are
+     * those that resist from now on. Evaluating it again gives the same. */
+    virtual void
+    commit()
+    {
+    }
+
+    /** Tangential jumps of the last commit(), a list for each tangent; empty
+     * without friction. */
+    virtual std::vector<std::vector<double>>
+    committed_jumps() const
+    {
+      return {};
+    }
+
+    /** Returns to the jumps of an earlier commit(). */
+    virtual void
+    return_to(const std::vector<std::vector<double>> &)
+    {
+    }
+
     /** Computes φ = u_N − gap − κg, κ > 0, of each contact node of this rank in
      * the last evaluation: positive where the lip is open, negative where it is
-     * closed, continuous in time. */
+     * closed, continuous in time. With friction also, as a second list,
+     * ψ = κμg − |κg_T − δ| with the slip δ since the last commit(): positive
+     * where closed lips stick, negative where they slide, 0 where they are
+     * open. */
     virtual void
-    switching_functions(std::vector<double> &values) const = 0;
+    switching_functions(std::vector<std::vector<double>> &values) const = 0;
   };
 } // namespace Crevasse
 

@@ -17,6 +17,7 @@ namespace Crevasse
     Vector        displacement;
     Vector        stress; ///< s at quadrature points
     ContactForces contact_forces;
+    FrictionState friction;              ///< empty without friction
     double        stiffness_factor = 1.; ///< k(t)
     double        instant          = 0.; ///< t within the period
 
@@ -26,6 +27,9 @@ namespace Crevasse
       archive.nodal(displacement);
       archive.at_points(stress);
       archive.on_bounds(contact_forces.normal);
+      for (auto *lists : {&contact_forces.tangential, &friction.reference})
+        for (std::vector<double> &along : *lists)
+          archive.on_bounds(along);
       archive.common(stiffness_factor);
       archive.common(instant);
     }

@@ -135,11 +135,11 @@ namespace
           q,
           1e-14,
           [&](const Vector &candidate) {
-            Scales              scales;
-            Vector              residual(candidate);
-            std::vector<double> forces;
+            Scales        scales;
+            Vector        residual(candidate);
+            ContactForces forces;
             return certify(
-                     problem, random.b, candidate, scales, residual, forces)
+                     problem, {random.b, candidate}, scales, residual, forces)
                      .worst() < 1e-13;
           },
           200);

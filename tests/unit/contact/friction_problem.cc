@@ -46,8 +46,8 @@ namespace
     const double    expected[][2] = {{0.2, 1.2}, {0., 0.}, {0., 0.2}};
     FrictionProblem lip(A, pairs(1));
     section("a problem with three solutions");
-    for (const PairState state :
-         {PairState::open, PairState::stick, PairState::forward})
+    for (const SlipState state :
+         {SlipState::open, SlipState::stick, SlipState::forward})
       {
         lip.states = {state};
         check("it needs one set", lip.solve(loads, increment, q) == 1);

@@ -26,10 +26,10 @@ namespace
                 const Vector           &b,
                 const Vector           &candidate)
   {
-    Scales              scales;
-    Vector              residual(n);
-    std::vector<double> forces;
-    return certify(problem, b, candidate, scales, residual, forces);
+    Scales        scales;
+    Vector        residual(n);
+    ContactForces forces;
+    return certify(problem, {b, candidate}, scales, residual, forces);
   }
 
   void

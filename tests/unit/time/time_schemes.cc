@@ -49,9 +49,9 @@ namespace
     }
 
     void
-    switching_functions(std::vector<double> &values) const override
+    switching_functions(std::vector<std::vector<double>> &values) const override
     {
-      values.clear();
+      values.assign(1, {});
     }
   };
 
@@ -308,12 +308,12 @@ namespace
     }
 
     void
-    switching_functions(std::vector<double> &values) const override
+    switching_functions(std::vector<std::vector<double>> &values) const override
     {
       // One that switches 10⁻¹¹ later, and one that rounding switches.
-      values = {std::cos(last_time),
-                std::cos(last_time - 1e-11),
-                1e-17 * std::sin(1e5 * last_time)};
+      values = {{std::cos(last_time),
+                 std::cos(last_time - 1e-11),
+                 1e-17 * std::sin(1e5 * last_time)}};
     }
 
     static double
@@ -341,11 +341,11 @@ namespace
   {
   public:
     void
-    switching_functions(std::vector<double> &values) const override
+    switching_functions(std::vector<std::vector<double>> &values) const override
     {
       Kinks::switching_functions(values);
       for (unsigned int k = 0; k < 200; ++k)
-        values.push_back(last_time - 0.6 - 0.001 * k);
+        values.front().push_back(last_time - 0.6 - 0.001 * k);
     }
   };
 

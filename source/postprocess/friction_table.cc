@@ -1,0 +1,218 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Crevasse authors
+
+#include <crevasse/base/text.h>
+#include <crevasse/postprocess/friction_table.h>
+
+#include <deal.II/base/mpi.h>
+
+namespace Crevasse
+{
+  using namespace dealii;
+
+  template <int dim>
+  FrictionTable<dim>::FrictionTable(const Body<dim>   &body,
+                                    const std::string &file_name,
+                                    Log               &log)
+    : body(body)
+    , file_name(file_name)
+    , log(log)
+  {
+    const auto &nodes = body.space.lip.nodes;
+    for (unsigned int i = 0; i < nodes.size(); ++i)
+      if (nodes[i].has_unknown())
+        places.push_back(i);
+  }
+
+
+
+  template <int dim>
+  std::vector<typename FrictionTable<dim>::Pair>
+  FrictionTable<dim>::look_at(const Sample &sample) const
+  {
+    constexpr unsigned int n      = 2 * (dim - 1);
+    const ContactForces   &forces = sample.state.contact_forces;
+    const auto            &nodes  = body.lip.nodes;
+    const auto states = body.lip.states(sample.state.displacement, forces);
+    std::vector<double> values(n * states.size());
+    for (unsigned int k = 0; k < nodes.size(); ++k)
+      for (unsigned int c = 0; c < dim - 1; ++c)
+        if (const auto unknown = nodes[k].sliding[c];
+            unknown != numbers::invalid_dof_index)
+          {
+            double *const here = &values[n * nodes[k].number];
+            here[c]            = sample.state.displacement(unknown);
+            if (nodes[k].weight > 0.)
+              here[dim - 1 + c] = forces.tangential[c][k] / nodes[k].weight;
+          }
+    Utilities::MPI::sum(values, body.space.communicator(), values);
+    std::vector<Pair> pairs;
+    for (const unsigned int i : places)
+      {
+        Pair &pair    = pairs.emplace_back();
+        pair.pressure = states[i].pressure;
+        pair.closed   = states[i].is_closed ? 1. : 0.;
+        for (unsigned int c = 0; c < dim - 1; ++c)
+          {
+            pair.jump[c]     = values[n * i + c];
+            pair.traction[c] = values[n * i + dim - 1 + c];
+          }
+      }
+    return pairs;
+  }
+
+
+
+  template <int dim>
+  void
+  FrictionTable<dim>::observe(const Sample &sample)
+  {
+    // A period begins where the one before ended.
+    if (sample.step == 0)
+      period.clear();
+    period.push_back({sample.instant, look_at(sample)});
+    constexpr double rounding = 1e-9;
+    largest = std::max(largest, sample.state.displacement.linfty_norm());
+    least   = rounding * largest;
+  }
+
+
+
+  template <int dim>
+  void
+  FrictionTable<dim>::serialize(StateArchive &archive)
+  {
+    archive.section("friction");
+    archive.common(largest);
+    std::size_t n_moments = period.size();
+    archive.common(n_moments);
+    period.resize(n_moments);
+    for (Moment &moment : period)
+      {
+        archive.common(moment.instant);
+        archive.common_list(moment.pairs);
+      }
+  }
+
+
+
+  template <int dim>
+  Tensor<1, dim - 1>
+  FrictionTable<dim>::slip(const std::size_t pair,
+                           const Moment     &from,
+                           const Moment     &to) const
+  {
+    Tensor<1, dim - 1> slip;
+    for (unsigned int c = 0; c < dim - 1; ++c)
+      slip[c] = to.pairs[pair].jump[c] - from.pairs[pair].jump[c];
+    return slip;
+  }
+
+
+
+  template <int dim>
+  double
+  FrictionTable<dim>::state(const std::size_t moment,
+                            const std::size_t pair) const
+  {
+    if (period[moment].pairs[pair].closed == 0.)
+      return 0.;
+    // The first sample shows the slip towards the next one.
+    const std::size_t begin = moment == 0 ? 0 : moment - 1;
+    if (begin + 1 == period.size())
+      return 1.;
+    const auto last = slip(pair, period[begin], period[begin + 1]);
+    if (last.norm() <= least)
+      return 1.;
+    return dim == 2 && last[0] < 0. ? -2. : 2.;
+  }
+
+
+
+  template <int dim>
+  void
+  FrictionTable<dim>::write() const
+  {
+    std::vector<std::string> header = {"t", "lip", "x", "y"};
+    if (dim == 3)
+      header.push_back("z");
+    header.push_back("state");
+    for (const char *name : {"slip", "tangential_traction"})
+      for (unsigned int c = 0; c < dim - 1; ++c)
+        header.push_back(dim == 2 ? name
+                                  : name + ("_" + std::to_string(c + 1)));
+    header.push_back("normal_pressure");
+    CsvTable table(file_name, header);
+    for (std::size_t m = 0; m < period.size(); ++m)
+      for (std::size_t p = 0; p < places.size(); ++p)
+        {
+          const auto         &node = body.space.lip.nodes[places[p]];
+          const Pair         &pair = period[m].pairs[p];
+          std::vector<double> row  = {period[m].instant, 1. + node.lip};
+          row.insert(row.end(), node.point.begin_raw(), node.point.end_raw());
+          row.push_back(state(m, p));
+          row.insert(row.end(), pair.jump.begin(), pair.jump.end());
+          row.insert(row.end(), pair.traction.begin(), pair.traction.end());
+          row.push_back(pair.pressure);
+          table.add_row(row);
+        }
+  }
+
+
+
+  template <int dim>
+  void
+  FrictionTable<dim>::summarise(Summary &summary)
+  {
+    write();
+    double      work = 0., longest = 0., net = 0.;
+    std::size_t where = 0;
+    for (std::size_t p = 0; p < places.size(); ++p)
+      {
+        const auto &node = body.space.lip.nodes[places[p]];
+        double      path = 0.;
+        for (std::size_t m = 1; m < period.size(); ++m)
+          {
+            const Pair &begin = period[m - 1].pairs[p];
+            const Pair &end   = period[m].pairs[p];
+            const auto  step  = slip(p, period[m - 1], period[m]);
+            // Slip ends an increment: its force acts along all of it.
+            for (unsigned int c = 0; c < dim - 1; ++c)
+              work -= 0.5 * (begin.traction[c] + end.traction[c]) * step[c] *
+                      node.weight;
+            if (begin.closed + end.closed == 2.)
+              path += step.norm();
+          }
+        if (path > longest)
+          {
+            longest = path;
+            where   = p;
+          }
+        net = std::max(net, slip(p, period.front(), period.back()).norm());
+      }
+    const std::string kind         = longest <= least       ? "shakedown"
+                                     : net > 1e-3 * longest ? "ratchetting"
+                                                            : "alternating slip";
+    Summary          &friction     = summary["friction"];
+    friction["dissipation"]        = work;
+    friction["largest_slip_range"] = longest;
+    friction["net_slip"]           = net;
+    friction["kind"]               = kind;
+    if (places.empty())
+      return;
+    log.line(
+      "  friction: " + kind +
+      (longest <= least
+         ? ", closed lips stick throughout the period"
+         : ", lips slide by up to " + Text::from_number(longest, 3) +
+             " per period while closed, at " +
+             Text::from_point(body.space.lip.nodes[places[where]].point) +
+             ", and friction dissipates " + Text::from_number(work, 3) +
+             " per period"));
+  }
+
+
+
+  template class FrictionTable<2>;
+  template class FrictionTable<3>;
+} // namespace Crevasse

@@ -1,0 +1,318 @@
+"""Coulomb's friction between lips, against closed forms of a crack in an infinite body
+(cracks are small in these plates; ratios do not depend on the plate) and by what must
+not change it."""
+
+import math
+
+import cracked
+from crevasse_run import (check, check_below, check_close, execute, full, overrides, run,
+                          run_on, tier)
+
+HALF = 8.  # of the side of the plate; that of the crack is 1
+N = 12     # cells along half a crack
+E = 1 / (1 - 0.3 ** 2)  # modulus of plane strain
+
+
+def grid(n):
+    """Lines: n equal cells along half of the crack, growing ones beyond."""
+    positions = cracked.steps(0, 1, n) + [1 + 1 / n, 1 + 2.5 / n]
+    while positions[-1] < HALF:
+        positions.append(min(HALF, positions[-1] + 1.5 * (positions[-1] - positions[-2])))
+    return [-x for x in positions[:0:-1]] + positions
+
+
+def scene(name, pressure, shear, settings="", turn=0., viscosity="none", n=N):
+    """A plate with a crack along x, all turned, whose stress without the crack is the
+    pressure across it and the shear along it, formulas of t."""
+    place = cracked.turned(turn)
+    cracked.write_block(
+        f"{name}.msh", (grid(n), grid(n)),
+        lambda middle, normal: normal == 1 and middle[1] == 0 and abs(middle[0]) < 1,
+        place)
+    c, s = math.cos(math.radians(turn)), math.sin(math.radians(turn))
+    x, y = f"({c!r}*x + {s!r}*y)", f"({c!r}*y - {s!r}*x)"
+    across = f"(abs({y}) > abs({x}))"
+    t_x = f"if({across}, ({shear})*sign({y}), 0)"
+    t_y = f"if({across}, -({pressure})*sign({y}), ({shear})*sign({x}))"
+    traction = f"{c!r}*{t_x} - {s!r}*{t_y}; {s!r}*{t_x} + {c!r}*{t_y}"
+    held = "; ".join("{!r}, {!r}: {}".format(*place((x, 0.)), which)
+                     for x, which in ((-HALF, 2), (HALF, "1, 2")))
+    if turn:  # components along x and y do not hold a turned plate alike
+        held = "; ".join("{!r}, {!r}: {}".format(*place((x, 0.)), which)
+                         for x, which in ((-HALF, "1, 2"), (HALF, 2)))
+    return f"""
+subsection Geometry
+  set Shape     = mesh file
+  set Mesh file = {name}.msh
+end
+subsection Boundary
+  set Crack        = {cracked.CRACK}
+  set Loaded       = {cracked.LEFT}, {cracked.RIGHT}, {cracked.BOTTOM}, {cracked.TOP}
+  set Fixed points = {held}
+end
+subsection Material
+  set Plane state   = plane strain
+  set Young modulus = 1
+  set Poisson ratio = 0.3
+  set Viscosity     = {viscosity}
+end
+subsection Loads
+  set Period   = 1
+  set Traction = {traction}
+end
+subsection Crack tip
+  set Stress intensity = true
+end
+subsection Output
+  set Fields = none
+end
+{settings}
+"""
+
+
+def friction(mu):
+    return f"Boundary/Friction coefficient={mu}"
+
+
+def sliding(results, tip=1):
+    """K_II at the samples of the last period."""
+    return results.table(f"crack_tip_{tip}.csv")["K_II"]
+
+
+def test_shielding():
+    """K_II(mu) = K_II(0) (1 - mu p/tau), however the plate is turned or scaled."""
+    free = run(scene("shield", "sin(pi*t)^2", "0.8*sin(pi*t)^2"), "shield")
+    reference = [max(sliding(free, tip)) for tip in (1, 2)]
+    check_below(abs(reference[0] / reference[1] - 1), 1e-9, "halves alike")
+    for mu in (0.2, 0.5):
+        held = run("shield.prm", f"shield_{mu}", [friction(mu)])
+        for tip in (1, 2):
+            check_close(max(sliding(held, tip)) / reference[tip - 1], 1 - mu / 0.8, 1e-9,
+                        f"K_II of tip {tip} with mu {mu}")
+        check_below(held.summary["certificate"]["friction"], 1e-12, "certificate of friction")
+        check(held.summary["friction"]["kind"] == "alternating slip",
+              held.summary["friction"])
+    stuck = run("shield.prm", "shield_stuck", [friction(0.9)])
+    check_below(max(sliding(stuck)) / reference[0], 1e-9, "K_II where it sticks")
+    check(stuck.summary["friction"]["kind"] == "shakedown", stuck.summary["friction"])
+    free = run(scene("shield_turned", "sin(pi*t)^2", "0.8*sin(pi*t)^2", turn=31.),
+               "shield_turned")
+    turned = run("shield_turned.prm", "shield_turned_held", [friction(0.5)])
+    check_close(max(sliding(turned)) / max(sliding(free)), 0.375, 1e-9, "K_II, turned")
+    two = run_on(2, "shield.prm", "shield_two", [friction(0.5)])
+    check_close(max(sliding(two)) / reference[0], 0.375, 1e-9, "K_II on two processes")
+
+
+def test_no_friction():
+    """A coefficient that is 0 here and now is the run without friction."""
+    text = scene("none", "1 - 2*sin(2*pi*t)", "0.8*cos(2*pi*t)")
+    free = run(text, "none")
+    zero = run("none.prm", "zero", [friction("0*x")])
+    size = max(map(abs, sliding(free)))
+    for column in ("K_I", "K_II"):
+        # Friction takes a second period to know that nothing is remembered.
+        a, b = (r.table("crack_tip_1.csv")[column][-41:] for r in (free, zero))
+        check_below(max(abs(x - y) for x, y in zip(a, b, strict=True)) / size, 1e-11,
+                    f"difference of {column}")
+
+
+def test_pulsating_compression():
+    """Under a uniaxial pressure S(t), slip is reversed at a fraction of its largest
+    value, and a period dissipates a known work."""
+    psi, mu = math.radians(50), 0.3
+    s, c = math.sin(psi), math.cos(psi)
+    load = "sin(pi*t)^2"
+    n = 400
+    results = run(
+        scene("pulse", f"{s * s!r}*{load}", f"{s * c!r}*{load}"), "pulse",
+        [friction(mu), f"Time integration/Steps per period={n}",
+         "Discretisation/Degree=2"])
+    free = run("pulse.prm", "pulse_free", ["Time integration/Steps per period=4",
+                                           "Discretisation/Degree=2"])
+    unit = max(sliding(free)) / (s * c)
+    K = [k / unit for k in sliding(results)[-n - 1:]]
+    check_close(max(K), s * c - mu * s * s, 1e-9, "largest K_II")
+    turn = min(math.sin(math.pi * i / n) ** 2 for i in range(n // 2, n)
+               if abs(K[i] - max(K)) < 1e-9)
+    check_close(turn, (c - mu * s) / (c + mu * s), 7e-3, "load at which it slips back")
+    # The work is proportional to the slip, whose ratio to that of the infinite body
+    # is that of the slips without friction.
+    work = results.summary["friction"]["dissipation"]
+    table = results.table("friction.csv")
+    largest = max(table["slip"])
+    mesh = largest / (4 / E * (s * c - mu * s * s))
+    exact = (math.pi / E * mu * s * s * (s * c - mu * s * s) * 2 * c / (c + mu * s))
+    check_close(work / mesh, exact, 7e-3, "work of a period")
+
+
+def test_partial_slip():
+    """mu = 0 for |x| < c: slip spreads to c/cos(pi tau/2 mu p)."""
+    n = tier(N, 4 * N)
+    c = (round(0.35 * n) + 0.5) / n  # between two pairs
+    for ratio in (0.3, 0.5):
+        text = scene(f"partial_{ratio}", "1", f"{ratio}*sin(2*pi*t)",
+                     "subsection Time integration\n  set Steps per period = 4\nend\n",
+                     n=n)
+        results = run(text, f"partial_{ratio}",
+                      [friction(f"if(abs(x) < {c!r}, 0, 1)")])
+        table = results.table("friction.csv")
+        slip = {round(x, 9): q for t, x, q in zip(table["t"], table["x"], table["slip"],
+                                                  strict=True) if t == 0.25}
+        theta = math.pi * ratio / 2
+        exact = 8 * c / (math.pi * E) * math.atanh(math.sin(theta))
+        check_close(slip[0.] / exact, 1., tier(2e-2, 5e-3), f"slip in the middle, {ratio}")
+        moved = max(x for x, q in slip.items() if abs(q) > 1e-9)
+        check_below(abs(moved + 0.5 / n - c / math.cos(theta)), 1.01 / n,
+                    f"end of the slip, {ratio}")
+
+
+def test_memory():
+    """Under a constant shear and a pressure that swings, the slip at the least
+    pressure stays for good."""
+    text = scene("memory", "1 + 0.4*sin(2*pi*t)", "0.8")
+    results = run(text, "memory", [friction(0.5)])
+    free = run("memory.prm", "memory_free")
+    check_close(sliding(results)[-1] / sliding(free)[-1], 1 - 0.5 * 0.6 / 0.8, 1e-9,
+                "K_II for good")
+    check(results.summary["friction"]["kind"] == "shakedown",
+          results.summary["friction"])
+
+
+def test_relaxation():
+    """Stuck slip relaxes with the body, by half of its stiffness or all of it, until
+    the shear that is left moves it again."""
+    for part in (0.5, 1.):
+        steps = ", ".join(repr(2e-9 + 0.01 * i) for i in range(201))
+        text = scene(f"relax_{part}", "1", "if(t < 1e-9, 1.2, 0.9)", f"""
+subsection Time integration
+  set Scheme       = rk4
+  set Step control = list
+  set Steps        = 0, {steps}
+end
+subsection Periodic state
+  set Maximum periods = 1
+  set Tolerance       = 0
+end
+""", viscosity=f"chain\n  set Chain = {part}: 1")
+        results = run(text, f"relax_{part}", [friction(0.5), "Loads/Period=2.000000002"])
+        table = results.table("crack_tip_1.csv")
+        K = dict(zip((round(t, 3) for t in table["t"]), table["K_II"], strict=True))
+        check_close(K[0.25] / K[0.], 1 - part + part * math.exp(-0.25), 1e-8,
+                    f"stuck K_II of a body that relaxes by {part}")
+        if part == 1.:
+            check_close(table["K_II"][-2] / K[0.], 0.4 / 0.7, 1e-8, "K_II in the end")
+            slides = min(t for t, k in zip(table["t"], table["K_II"], strict=True)
+                         if abs(k / K[0.] - 0.4 / 0.7) < 1e-8)
+            check_close(slides, -math.log(0.4 / 0.7), 0.01, "instant at which it slides")
+
+
+# Pressures that vary along the crack, so that pairs slide and open one by one.
+ORDERS = {"pressed": ("1 + 0.5*sin(2*pi*t) + 0.4*x", "0.5*cos(2*pi*t)"),
+          "opening": ("0.4 + sin(2*pi*t) + 0.4*x", "0.5*cos(2*pi*t)"),
+          "closing": ("1.4*sin(2*pi*t) - 0.5 - 0.3*x", "0.5*sin(4*pi*t)")}
+
+
+@full
+def test_order():
+    """With its events located, the error of a period falls with the square of the
+    steps, nearly; without them it does not."""
+    for name, loads in ORDERS.items():
+        text = scene(f"order_{name}", *loads, """
+subsection Periodic state
+  set Maximum periods = 1
+  set Tolerance       = 0
+end
+""", viscosity="chain\n  set Chain = 0.7: 0.3")
+        errors = {}
+        for events in ("true", "false"):
+            found = []
+            for n in (20, 40, 80, 160, 640):
+                results = run(text, f"order_{name}_{events}_{n}", [
+                    friction(0.4), f"Time integration/Steps per period={n}",
+                    f"Time integration/Locate contact events={events}"])
+                found.append([row for key in ("K_I", "K_II") for row in
+                              results.table("crack_tip_1.csv")[key][::n // 20]])
+            errors[events] = [max(abs(x - y) for x, y in zip(f, found[-1], strict=True))
+                              for f in found[:-1]]
+        order = {events: math.log2(found[0] / found[-1]) / 3
+                 for events, found in errors.items()}
+        print(f"{name}: errors {errors}, orders {order}")
+        # Where all pairs stick again at once, what the reversal leaves is small, but of
+        # no order.
+        if name == "closing":
+            check_below(errors["true"][-1], 1e-4, "closing: error of K")
+        else:
+            check(order["true"] >= 1.7, f"{name}: order {order}")
+
+
+def test_rigid_plane():
+    """SSNV128: a square that a pressure holds on a rigid plane, pushed from the side;
+    the displacement along the plane at five places."""
+    n = tier(16, 64)
+    cracked.write_block("ssnv128.msh", (cracked.steps(0, 0.04, n),) * 2,
+                        lambda *_: False)
+    text = f"""
+subsection Geometry
+  set Shape     = mesh file
+  set Mesh file = ssnv128.msh
+end
+subsection Boundary
+  set Contact  = {cracked.BOTTOM}
+  set Symmetry = {cracked.RIGHT}
+  set Loaded   = {cracked.LEFT}, {cracked.TOP}
+  set Friction coefficient = 1
+end
+subsection Discretisation
+  set Degree = 2
+end
+subsection Material
+  set Plane state   = plane strain
+  set Young modulus = 1.3e11
+  set Poisson ratio = 0.2
+  set Viscosity     = none
+end
+subsection Loads
+  set Period   = 1
+  set Traction = if(x < 1e-9, 15e7*t/0.8, 0); if(x < 1e-9, 0, -5e7*t/0.8)
+end
+subsection Periodic state
+  set Maximum periods = 1
+  set Tolerance = 0
+end
+subsection Output
+  set Fields = none
+  set Probes =
+end
+"""
+    results = run(text, "ssnv128", ["Time integration/Steps per period=5"])
+    table = results.table("friction.csv")
+    slip = sorted((x, abs(q) * 1e6) for t, x, q in
+                  zip(table["t"], table["x"], table["slip"], strict=True)
+                  if abs(t - 0.8) < 1e-9)
+    for x, expected in ((0., 28.60), (0.00125, 27.23), (0.005, 22.87), (0.0075, 19.81),
+                        (0.01125, 15.41)):
+        found = next(q for place, q in slip if abs(place - x) < 1e-9)
+        check_close(found, expected, 1e-2 * expected, f"displacement at {x}")
+
+
+def test_refused():
+    """What friction does not go with, each in a sentence."""
+    for settings, message in (
+            (["Periodic state/Method=anderson"], "must be march or automatic"),
+            (["Time integration/Scheme=arkode explicit"], "must not be one of ARKODE"),
+            (["Refinement/Strategy=adaptive"], "must not be adaptive"),
+            (["Linear solver/Type=amg"], "needs a factorisation"),
+            (["Contact/Solver=active set"], "is for contact without friction"),
+            (["Discretisation/Singular functions=1"], "slide on the lips"),
+            (["Boundary/Friction coefficient=x"], "must be at least 0")):
+        status, _, error = execute(
+            "shield.prm", "--output", "results/refused",
+            *overrides([friction(0.5), "Material/Viscosity=chain", "Material/Chain=0.5: 1",
+                        *settings]))
+        check(status == 2 and message in error, f"{settings}: {status}, {error}")
+
+
+for test in (test_shielding, test_no_friction, test_pulsating_compression,
+             test_partial_slip, test_memory, test_relaxation, test_order, test_rigid_plane,
+             test_refused):
+    test()
