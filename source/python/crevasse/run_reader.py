@@ -24,6 +24,7 @@ TABLES_OF_EFFECTS = {"contact": ("contact.csv", "contact.csv"),  # plane, space
 # Columns that the charts take; a later version may have others, too.
 COLUMNS = {"probe_": ("t", "u_1", "s_11"),
            "contact.": ("t", "closed_nodes", "force", "largest_pressure"),
+           "friction.": ("t", "lip", "x", "y", "state"),
            "lip.": ("lip", "x", "y", "closed_part"),
            "crack_tip.": ("t", "K_I", "energy_release_rate"),
            "crack_tip_": ("t", "K_I", "K_II", "energy_release_rate", "growth_angle",
