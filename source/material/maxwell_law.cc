@@ -156,7 +156,8 @@ namespace Crevasse
 
 
     /** Adds the formulas of K, and returns K⁻¹ as a function of their values,
-     * with row 33 also in plane stress, because the thickness creeps. */
+     * with row 33 also in plane stress, because the thickness creeps; of its
+     * shear alone if the bulk modulus stays elastic. */
     template <int dim>
     std::function<VoigtMatrix<dim>(const Values &)>
     add_compliance(const MaterialParameters   &parameters,
@@ -164,6 +165,11 @@ namespace Crevasse
     {
       Property<VoigtMatrix<dim>> K = stiffness_property<dim>(parameters);
       property.formulas            = std::move(K.formulas);
+      if (parameters.relaxes_in_shear_only())
+        return [](const Values &values) {
+          return isotropic_compliance<dim>(1.5 * values[0] / (1. + values[1]),
+                                           0.5);
+        };
       if (parameters.stiffness_matrix.text().empty())
         return [](const Values &values) {
           return isotropic_compliance<dim>(values[0], values[1]);

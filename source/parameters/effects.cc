@@ -146,7 +146,10 @@ namespace Crevasse
     secular_flow = {"secular flow", false, "not looked for"};
     chain        = {"chain",
                     is_chain,
-             is_chain ? "[Material] Chain = " + material.chain.text()
+             is_chain ? (material.chain_in_shear_only
+                                  ? "in shear only, [Material] Chain = "
+                                  : "[Material] Chain = ") +
+                          material.chain.text()
                              : "at most one Maxwell body"};
     for (const auto &strain : material.free_strains())
       free_strains.push_back(free_strain(strain, scene.loads));
@@ -184,6 +187,7 @@ namespace Crevasse
   {
     return material.stiffness_matrix.text().empty() &&
            material.viscosity != ViscosityType::matrix &&
+           !material.relaxes_in_shear_only() &&
            (material.viscosity != ViscosityType::isotropic ||
             material.viscous_poisson_ratio.text() ==
               material.poisson_ratio.text());

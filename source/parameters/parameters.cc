@@ -295,6 +295,12 @@ namespace Crevasse
       "greater than 0" +
         formula,
       prm);
+    prm.add_parameter(
+      "Chain in shear only",
+      chain_in_shear_only,
+      "Whether the bodies of the chain creep at constant volume: their "
+      "fractions are those of the shear modulus, and the bulk modulus stays "
+      "elastic. Not for plane stress or Stiffness matrix.");
     mean_expansion_from.add_parameter(
       "Mean expansion from",
       "Temperature from which Thermal expansion is a mean coefficient, as "

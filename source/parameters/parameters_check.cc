@@ -220,6 +220,11 @@ namespace Crevasse
                          "Chain",
                          "must be given with Viscosity = chain: a list such as "
                          "0.5: 10; 0.3: 100");
+          checker.demand(!chain_in_shear_only ||
+                           stiffness_matrix.text().empty(),
+                         "Chain in shear only",
+                         "needs Young modulus and Poisson ratio instead of "
+                         "Stiffness matrix, which may not have a bulk modulus");
           break;
         default:
           break;

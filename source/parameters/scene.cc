@@ -126,7 +126,8 @@ namespace Crevasse
                        "isotropic body that creeps with its elastic Poisson's "
                        "ratio: leave Stiffness matrix and Viscosity matrix "
                        "out, and set Viscous Poisson ratio to Poisson ratio, "
-                       "or Viscosity = relaxation time or chain");
+                       "or Viscosity = relaxation time or chain, not in shear "
+                       "only");
     }
 
 
@@ -196,32 +197,6 @@ namespace Crevasse
                 "Secular split",
                 "leaves the secular flow in the viscous strain, which needs "
                 "Method = march; otherwise set Secular split = automatic");
-    }
-
-
-
-    /** Checks the sizes of matrices and tensors against the dimension. */
-    void
-    check_tensors(const Scene &scene, Problems &problems)
-    {
-      const MaterialParameters &material = scene.material;
-      const bool                plane_stress =
-        material.plane_state == PlaneState::plane_stress;
-      const auto check =
-        [&](const char *name, const auto &value, const auto &...more) {
-          if (value.is_valid())
-            Checker(MaterialParameters::section, problems)
-              .demand_readable(name, [&]() {
-                require_size(value, scene.dimension, more...);
-              });
-        };
-      if (!material.stiffness_matrix.text().empty())
-        check("Stiffness matrix", material.stiffness_matrix, plane_stress);
-      if (material.viscosity == ViscosityType::matrix &&
-          !material.viscosity_matrix.text().empty())
-        check("Viscosity matrix", material.viscosity_matrix, plane_stress);
-      for (const auto &strain : material.free_strains())
-        check(strain.parameter, strain.components);
     }
 
 
@@ -389,7 +364,7 @@ namespace Crevasse
     check_roles(*this, problems);
     check_elements(*this, problems);
     check_methods(*this, problems);
-    check_tensors(*this, problems);
+    check_material(*this, problems);
     if (dimension == 2)
       check_points<2>(*this, problems);
     else

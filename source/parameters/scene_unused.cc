@@ -67,7 +67,7 @@ namespace Crevasse
          !isotropic,
          viscosity},
         {"Material/Viscosity matrix", kind != ViscosityType::matrix, viscosity},
-        {"Material/Chain, Chain shift",
+        {"Material/Chain, Chain shift, Chain in shear only",
          kind != ViscosityType::chain,
          viscosity},
         {"Material/Viscosity time factor", is_elastic, viscosity},

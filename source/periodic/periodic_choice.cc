@@ -37,6 +37,8 @@ namespace Crevasse
                traits(linear.type).name +
                " does not give the stiffness of the lip, as cholesky and mumps "
                "do";
+      if (scene.material.relaxes_in_shear_only())
+        return "[Material] Chain in shear only leaves the volume elastic";
       if (!scene.periodic_state.missions.empty() && body.law.creep != nullptr)
         return "Missions are of linear creep";
       return "";

@@ -142,6 +142,7 @@ namespace Crevasse
     Formula viscosity_time_factor{"1", time_factor("Viscosity time factor")};
     Parsed<std::vector<ChainBranch>> chain{"", chain_parser()};
     Formula  chain_shift{"1", material_formula("Chain shift")};
+    bool     chain_in_shear_only = false;
     Formulas thermal_expansion{"0", material_components("Thermal expansion")};
 
     /** Strain of the body without stress, which is an effect. */
@@ -160,6 +161,14 @@ namespace Crevasse
     /** Bodies of the chain, with shifted relaxation times. */
     std::vector<ChainBranch>
     branches() const;
+
+    /** Whether the bulk modulus stays elastic while the shear modulus relaxes.
+     */
+    bool
+    relaxes_in_shear_only() const
+    {
+      return viscosity == ViscosityType::chain && chain_in_shear_only;
+    }
 
     /** Nonlinear creep law, or null. */
     const CreepLaw *

@@ -52,6 +52,11 @@ namespace Crevasse
   void
   check_roles(const Scene &scene, Problems &problems);
 
+  /** Checks the material against dimension and plane state, with the sizes of
+   * its matrices and tensors. */
+  void
+  check_material(const Scene &scene, Problems &problems);
+
   /** Non-default parameters that have no effect in a scene: a sentence for
    * each, with the reason. The scene must have passed its check. */
   std::vector<std::string>
