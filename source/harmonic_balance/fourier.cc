@@ -37,7 +37,8 @@ namespace Crevasse
 
 
 
-    /** Number of instants at which each node bears a force. */
+    /** Number of instants at which each node that is ever closed bears a force.
+     */
     std::vector<unsigned int>
     count_instants(const PeriodicContactSolution &contact)
     {
@@ -48,6 +49,7 @@ namespace Crevasse
       for (const auto &forces : contact.forces)
         for (unsigned int i = 0; i < counts.size(); ++i)
           counts[i] += forces(i) > smallest_force * largest ? 1 : 0;
+      counts.erase(std::remove(counts.begin(), counts.end(), 0), counts.end());
       return counts;
     }
 
@@ -118,7 +120,9 @@ namespace Crevasse
     const LipPart  part(
       communicator,
       bounds,
-      loaded_bounds(flow, bounds, load[0].linfty_norm(), communicator));
+      has_spring()
+         ? std::vector<bool>(bounds.dofs.size(), true)
+         : loaded_bounds(flow, bounds, load[0].linfty_norm(), communicator));
     HarmonicResponses<dim> responses(
       body, material, linear_solver, part, memory);
 
@@ -130,7 +134,9 @@ namespace Crevasse
     dealii::Vector<double> offsets(part.n_nodes());
     if (part.n_nodes() > 0)
       {
-        problem.mean_forces = part.gather(flow->contact_forces.normal);
+        problem.mean_forces                   = flow == nullptr
+                                                  ? dealii::Vector<double>(part.n_nodes())
+                                                  : part.gather(flow->contact_forces.normal);
         const PeriodicContactSolution contact = solve_contact(problem);
         motion.instants_of_contact            = count_instants(contact);
         add_contact(contact, responses, part, motion);
@@ -142,8 +148,9 @@ namespace Crevasse
     motion.viscous_strain = harmonics.zero(model);
     for (unsigned int n = 1; n <= harmonics.n_harmonics(); ++n)
       find_viscous_strain(n, motion);
-    motion.displacement[0] = 0.;
-    if (lip.n_nodes() > 0)
+    if (!has_spring())
+      motion.displacement[0] = 0.;
+    if (lip.n_nodes() > 0 && !has_spring())
       find_mean_displacement(mean_on_lip(part, offsets, motion),
                              motion.displacement[0]);
     find_mean_viscous_strain(flow, motion);
@@ -161,10 +168,11 @@ namespace Crevasse
                                  const std::size_t  offset) const
   {
     VoigtVector<dim, Complex> strain;
-    if (thermal_strain.size() > 1)
+    if (thermal_strain.size() > (n == 0 ? 0 : 1))
       for (unsigned int c = 0; c < n_stress_components<dim>; ++c)
-        strain[c] = {thermal_strain[2 * n - 1].local_element(offset + c),
-                     thermal_strain[2 * n].local_element(offset + c)};
+        strain[c] = {thermal_strain[real_part(n)].local_element(offset + c),
+                     n == 0 ? 0.
+                            : thermal_strain[2 * n].local_element(offset + c)};
     return strain;
   }
 
@@ -174,22 +182,22 @@ namespace Crevasse
   void
   Fourier<dim>::add_thermal_load(const unsigned int        n,
                                  const ComplexModuli<dim> &moduli,
-                                 std::vector<Vector>      &loads) const
+                                 Vector                   &real,
+                                 Vector                   &imaginary) const
   {
-    if (thermal_strain.size() <= 1)
+    if (thermal_strain.size() <= (n == 0 ? 0 : 1))
       return;
-    for (const bool imaginary : {false, true})
-      body.strain_operator.add_transpose(
-        loads[imaginary ? 2 * n : 2 * n - 1], [&](const std::size_t offset) {
-          const VoigtVector<dim, Complex> stress =
-            moduli.sum[offset / n_stress_components<dim>] *
-            thermal_harmonic(n, offset);
-          VoigtVector<dim> result;
-          for (unsigned int c = 0; c < n_stress_components<dim>; ++c)
-            result[c] = material.stiffness_factor *
-                        (imaginary ? stress[c].imag() : stress[c].real());
-          return result;
-        });
+    for (Vector *const load : {&real, &imaginary})
+      body.strain_operator.add_transpose(*load, [&](const std::size_t offset) {
+        const VoigtVector<dim, Complex> stress =
+          moduli.sum[offset / n_stress_components<dim>] *
+          thermal_harmonic(n, offset);
+        VoigtVector<dim> result;
+        for (unsigned int c = 0; c < n_stress_components<dim>; ++c)
+          result[c] = material.stiffness_factor *
+                      (load == &real ? stress[c].real() : stress[c].imag());
+        return result;
+      });
   }
 
 
@@ -206,13 +214,15 @@ namespace Crevasse
       largest = std::max(largest, coefficient.linfty_norm());
 
     PeriodicContactProblem problem;
-    auto openings = harmonics.zero(dealii::Vector<double>(part.n_nodes()));
-    for (unsigned int n = 1; n <= harmonics.n_harmonics(); ++n)
+    auto   openings = harmonics.zero(dealii::Vector<double>(part.n_nodes()));
+    Vector none(load[0]); // imaginary part of the mean
+    none = 0.;
+    for (unsigned int n = first_harmonic(); n <= harmonics.n_harmonics(); ++n)
       {
-        const ComplexModuli<dim> K         = moduli(n);
-        Vector                  &real      = motion.displacement[2 * n - 1];
-        Vector                  &imaginary = motion.displacement[2 * n];
-        add_thermal_load(n, K, motion.displacement);
+        const ComplexModuli<dim> K    = moduli(n);
+        Vector                  &real = motion.displacement[real_part(n)];
+        Vector &imaginary = n == 0 ? none : motion.displacement[2 * n];
+        add_thermal_load(n, K, real, imaginary);
         const double size =
           std::max(real.linfty_norm(), imaginary.linfty_norm());
         largest              = std::max(largest, size);
@@ -233,10 +243,18 @@ namespace Crevasse
             imaginary /= material.stiffness_factor;
             response.solve(real, imaginary);
           }
-        openings[2 * n - 1] = part.restrict_to_lip(real);
-        openings[2 * n]     = part.restrict_to_lip(imaginary);
-        problem.compliances.push_back(response.compliance);
-        problem.compliances.back().factor /= material.stiffness_factor;
+        openings[real_part(n)]                  = part.restrict_to_lip(real);
+        PeriodicContactProblem::Compliance unit = response.compliance;
+        unit.factor /= material.stiffness_factor;
+        if (n == 0)
+          {
+            for (unsigned int i = 0; i < part.n_nodes(); ++i)
+              openings[0](i) -= part.nodes.gap[i];
+            problem.mean_compliance = unit;
+            continue;
+          }
+        openings[2 * n] = part.restrict_to_lip(imaginary);
+        problem.compliances.push_back(unit);
         if (harmonics.is_real(n))
           make_real(problem.compliances.back());
       }
@@ -260,15 +278,17 @@ namespace Crevasse
     harmonics.analyse(forces);
     const double factor = 1. / material.stiffness_factor;
     Vector       real(load[0]), imaginary(load[0]);
-    for (unsigned int n = 1; n <= harmonics.n_harmonics(); ++n)
+    for (unsigned int n = first_harmonic(); n <= harmonics.n_harmonics(); ++n)
       {
         real      = 0.;
         imaginary = 0.;
-        part.add_forces(factor, forces[2 * n - 1], real);
-        part.add_forces(factor, forces[2 * n], imaginary);
+        part.add_forces(factor, forces[real_part(n)], real);
+        if (n > 0)
+          part.add_forces(factor, forces[2 * n], imaginary);
         responses.at(n, moduli(n)).solve(real, imaginary);
-        motion.displacement[2 * n - 1] += real;
-        motion.displacement[2 * n] += imaginary;
+        motion.displacement[real_part(n)] += real;
+        if (n > 0)
+          motion.displacement[2 * n] += imaginary;
       }
   }
 

@@ -39,14 +39,9 @@ namespace Crevasse
         found.emplace_back(
           "nonlinear creep couples the harmonics; use [Periodic state] "
           "Method = march");
-      if (body.law.has_spring())
-        found.push_back(
-          "the fractions of [Material] Chain have a sum below 1, and the "
-          "remaining spring bears the mean load" +
-          instead);
       if (!found.empty())
         return found;
-      if (!has_viscosity(body))
+      if (!body.law.has_spring() && !has_viscosity(body))
         found.emplace_back(
           "the fluidity of [Material] is singular: a part of the strain does "
           "not flow; use [Periodic state] Method = march");
@@ -202,8 +197,9 @@ namespace Crevasse
                                systems.system_at(0.).linear_solver());
 
     const Vector mean_load = fourier.mean_load();
-    if (mean_load.linfty_norm() > fourier.negligible_load() ||
-        body.imposed.flows)
+    if (!body.law.has_spring() &&
+        (mean_load.linfty_norm() > fourier.negligible_load() ||
+         body.imposed.flows))
       {
         const Stopwatch phase("secular problem");
         result.flow = solve_secular_problem(body, mean_load, systems);

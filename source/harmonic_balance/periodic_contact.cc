@@ -34,6 +34,12 @@ namespace Crevasse
       std::vector<double> sorted(N);
       for (unsigned int i = 0; i < p; ++i)
         {
+          if (state.convolution.has_mean)
+            {
+              for (unsigned int k = i; k < p * N; k += p)
+                set[k] = w(k) < 0.;
+              continue;
+            }
           for (unsigned int j = 0; j < N; ++j)
             sorted[j] = w(j * p + i);
           std::sort(sorted.begin(), sorted.end());
@@ -153,7 +159,8 @@ namespace Crevasse
       for (unsigned int k = 0; k < set.size(); ++k)
         if (wrong(k) > margin)
           next[k] = !set[k];
-      keep_one_instant(next, state);
+      if (!state.convolution.has_mean)
+        keep_one_instant(next, state);
       return next;
     }
 
@@ -266,8 +273,14 @@ namespace Crevasse
     void
     require_finite(const PeriodicContactProblem &problem)
     {
-      double sum = 0.;
-      for (const auto &[matrix, factor] : problem.compliances)
+      double     sum         = 0.;
+      const auto compliances = [&problem]() {
+        auto all = problem.compliances;
+        if (problem.mean_compliance)
+          all.push_back(*problem.mean_compliance);
+        return all;
+      }();
+      for (const auto &[matrix, factor] : compliances)
         sum += std::abs(factor) * matrix->frobenius_norm();
       for (const LipVector &opening : problem.openings_without_contact)
         sum += opening.l1_norm();
@@ -302,12 +315,12 @@ namespace Crevasse
     require_finite(problem);
     const unsigned int        p = problem.mean_forces.size();
     const unsigned int        N = problem.openings_without_contact.size();
-    const PeriodicConvolution convolution(problem.compliances, p, N);
+    const PeriodicConvolution convolution(problem, p, N);
     PeriodicSystem            system(convolution, options);
     PeriodicState             state(problem, convolution);
     PeriodicContactSolution   solution;
     bool                      is_solved = true;
-    if (N == 1)
+    if (N == 1 && !convolution.has_mean)
       {
         // A constant solution: mean forces, and all nodes closed.
         state.forces = problem.mean_forces;

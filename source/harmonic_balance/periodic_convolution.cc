@@ -52,19 +52,24 @@ namespace Crevasse
 
 
   PeriodicConvolution::PeriodicConvolution(
-    const std::vector<PeriodicContactProblem::Compliance> &compliances,
-    const unsigned int                                     n_nodes,
-    const unsigned int                                     n_instants)
-    : n_nodes(n_nodes)
+    const PeriodicContactProblem &problem,
+    const unsigned int            n_nodes,
+    const unsigned int            n_instants)
+    : has_mean(problem.mean_compliance)
+    , n_nodes(n_nodes)
     , n_instants(n_instants)
-    , compliances(compliances)
     , transforms(std::make_unique<Transforms>(n_instants, n_nodes))
     , harmonic(n_nodes)
     , response(n_nodes)
   {
-    AssertDimension(compliances.size(), n_instants / 2);
-    for (const auto &[matrix, factor] : compliances)
+    AssertDimension(problem.compliances.size(), n_instants / 2);
+    if (has_mean)
+      compliances[0] = *problem.mean_compliance;
+    for (unsigned int n = 1; n <= n_instants / 2; ++n)
+      compliances[n] = problem.compliances[n - 1];
+    for (const auto &[n, compliance] : compliances)
       {
+        const auto &[matrix, factor] = compliance;
         elastic_compliance.reinit(n_nodes, n_nodes); // the last one remains
         for (unsigned int i = 0; i < n_nodes; ++i)
           {
@@ -90,10 +95,11 @@ namespace Crevasse
     const unsigned int p = n_nodes;
     std::copy(function.begin(), function.end(), transforms->values.begin());
     fftw_execute(transforms->forward);
-    std::fill_n(transforms->harmonics.begin(), p, Complex(0.));
-    for (unsigned int n = 1; n <= n_instants / 2; ++n)
+    if (!has_mean)
+      std::fill_n(transforms->harmonics.begin(), p, Complex(0.));
+    for (const auto &[n, compliance] : compliances)
       {
-        const auto &[matrix, factor] = compliances[n - 1];
+        const auto &[matrix, factor] = compliance;
         const auto of_nodes          = transforms->harmonics.begin() + n * p;
         std::copy_n(of_nodes, p, harmonic.begin());
         matrix->vmult(response, harmonic);
@@ -117,9 +123,9 @@ namespace Crevasse
   {
     const std::size_t n_entries = std::size_t(n_nodes) * n_nodes;
     Transforms        entries(n_instants, n_entries);
-    for (unsigned int n = 1; n <= n_instants / 2; ++n)
+    for (const auto &[n, compliance] : compliances)
       {
-        const auto &[matrix, factor] = compliances[n - 1];
+        const auto &[matrix, factor] = compliance;
         auto entry = entries.harmonics.begin() + n * n_entries;
         for (unsigned int i = 0; i < n_nodes; ++i)
           for (unsigned int j = 0; j < n_nodes; ++j)

@@ -57,7 +57,7 @@ namespace Crevasse
   PeriodicState::missing_means() const
   {
     LipVector missing(mean_forces);
-    for (unsigned int k = 0; k < forces.size(); ++k)
+    for (unsigned int k = 0; k < forces.size() && !convolution.has_mean; ++k)
       missing(k % missing.size()) -= forces(k) / convolution.n_instants;
     return missing;
   }
@@ -116,7 +116,7 @@ namespace Crevasse
   certify(const PeriodicContactProblem  &problem,
           const PeriodicContactSolution &solution)
   {
-    const PeriodicConvolution convolution(problem.compliances,
+    const PeriodicConvolution convolution(problem,
                                           solution.offsets.size(),
                                           solution.forces.size());
     PeriodicState             state(problem, convolution);

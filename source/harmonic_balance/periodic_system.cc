@@ -34,6 +34,7 @@ namespace Crevasse
                                  const PeriodicContactOptions &options)
     : convolution(convolution)
     , options(options)
+    , n_offsets(convolution.has_mean ? 0 : convolution.n_nodes)
     , preconditioner(*this)
   {
   }
@@ -58,9 +59,11 @@ namespace Crevasse
     begins.push_back(unknowns.size());
     all_entries.reinit(active.size());
     matrix.reinit(0);
+    if (unknowns.empty())
+      return;
     try
       {
-        if (unknowns.size() + p <= options.largest_dense_system)
+        if (unknowns.size() + n_offsets <= options.largest_dense_system)
           factor();
         else
           prepare_preconditioner();
@@ -82,14 +85,15 @@ namespace Crevasse
       kernel = convolution.kernel();
 
     // Scaled to a unit diagonal, pivots are comparable whatever the units.
-    scaling.reinit(m + p);
+    scaling.reinit(m + n_offsets);
     for (unsigned int a = 0; a < m; ++a)
       {
         const unsigned int i = unknowns[a] % p;
         scaling(a)           = 1. / std::sqrt(shift + kernel[0](i, i));
-        scaling(m + i)       = 1. / scaling(a);
+        if (n_offsets > 0)
+          scaling(m + i) = 1. / scaling(a);
       }
-    matrix.reinit(m + p);
+    matrix.reinit(m + n_offsets);
     matrix = 0.;
     for (unsigned int b = 0; b < m; ++b)
       {
@@ -101,8 +105,8 @@ namespace Crevasse
               scaling(a) * scaling(b) * kernel[(N + t_j - t_k) % N](i, l);
           }
         matrix(b, b) += scaling(b) * scaling(b) * shift;
-        matrix(b, m + l) = 1.; // scaled
-        matrix(m + l, b) = 1.;
+        if (n_offsets > 0)
+          matrix(b, m + l) = matrix(m + l, b) = 1.; // scaled
       }
     matrix.compute_lu_factorization();
   }
@@ -115,7 +119,7 @@ namespace Crevasse
     const unsigned int        p       = convolution.n_nodes;
     const FullMatrix<double> &elastic = convolution.elastic_compliance;
     LAPACKFullMatrix<double> &border  = preconditioner.border;
-    border.reinit(p);
+    border.reinit(n_offsets);
     border.set_property(LAPACKSupport::symmetric);
     border = 0.;
     preconditioner.inverses.resize(convolution.n_instants);
@@ -136,11 +140,12 @@ namespace Crevasse
         inverse.compute_cholesky_factorization();
         inverse.invert();
         // Schur complement for c after elimination of x: Σ over the instants.
-        for (unsigned int b = 0; b < m; ++b)
+        for (unsigned int b = 0; b < m && n_offsets > 0; ++b)
           for (unsigned int a = 0; a < m; ++a)
             border(node(a), node(b)) += inverse(a, b);
       }
-    border.compute_cholesky_factorization();
+    if (n_offsets > 0)
+      border.compute_cholesky_factorization();
   }
 
 
@@ -152,8 +157,9 @@ namespace Crevasse
     const unsigned int p = system.convolution.n_nodes;
     const unsigned int m = system.unknowns.size();
     // First solve without offsets; the missing mean determines the offsets.
-    offsets.reinit(p, true);
-    for (unsigned int i = 0; i < p; ++i)
+    const unsigned int n_offsets = system.n_offsets;
+    offsets.reinit(n_offsets, true);
+    for (unsigned int i = 0; i < n_offsets; ++i)
       offsets(i) = -right(m + i);
     x_and_c = 0.;
     for (const bool with_offsets : {false, true})
@@ -173,7 +179,7 @@ namespace Crevasse
               for (unsigned int a = 0; a < n; ++a)
                 x_and_c(begin + a) += after(a);
             }
-        if (with_offsets)
+        if (with_offsets || n_offsets == 0)
           break;
         for (unsigned int a = 0; a < m; ++a)
           offsets(system.unknowns[a] % p) += x_and_c(a);
@@ -194,7 +200,7 @@ namespace Crevasse
     result = 0.;
     for (unsigned int a = 0; a < m; ++a)
       result(a) = convolved(unknowns[a]) + shift * x_and_c(a) +
-                  x_and_c(m + unknowns[a] % p);
+                  (n_offsets > 0 ? x_and_c(m + unknowns[a] % p) : 0.);
   }
 
 
@@ -235,10 +241,14 @@ namespace Crevasse
                         LipVector       &offsets)
   {
     const unsigned int p = convolution.n_nodes, m = unknowns.size();
-    LipVector          b(m + p), solution(m + p);
+    LipVector          b(m + n_offsets), solution(m + n_offsets);
+    x.reinit(right.size());
+    offsets.reinit(p);
+    if (m == 0)
+      return;
     for (unsigned int a = 0; a < m; ++a)
       b(a) = right(unknowns[a]);
-    for (unsigned int i = 0; i < p; ++i)
+    for (unsigned int i = 0; i < n_offsets; ++i)
       b(m + i) = convolution.n_instants * means(i);
     if (matrix.m() > 0 || !solve_iteratively(b, accuracy, solution))
       {
@@ -266,10 +276,8 @@ namespace Crevasse
       }
     if (!std::isfinite(solution.l1_norm()))
       throw singular(m);
-    x.reinit(right.size());
     for (unsigned int a = 0; a < m; ++a)
       x(unknowns[a]) = solution(a);
-    offsets.reinit(p);
     std::copy(solution.begin() + m, solution.end(), offsets.begin());
   }
 } // namespace Crevasse

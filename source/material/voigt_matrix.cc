@@ -2,6 +2,7 @@
 // Copyright (C) 2026 by the Crevasse authors
 
 #include <crevasse/base/problems.h>
+#include <crevasse/material/relaxation_modes.h>
 #include <crevasse/material/voigt_matrix.h>
 
 #include <deal.II/lac/full_matrix.h>
@@ -170,14 +171,24 @@ namespace Crevasse
                     const VoigtMatrix<dim>    &H,
                     const std::complex<double> kappa)
   {
-    constexpr unsigned int           n  = n_stress_components<dim>;
+    constexpr unsigned int                 n = n_stress_components<dim>;
+    VoigtMatrix<dim, std::complex<double>> result;
+    if (std::isinf(kappa.real()))
+      {
+        const RelaxationModes<dim> modes(H, K);
+        const auto                &X = modes.directions;
+        for (unsigned int m = 0; m < n; ++m)
+          for (unsigned int i = 0; i < n && modes.rates[m] == 0.; ++i)
+            for (unsigned int j = 0; j < n; ++j)
+              result[i][j] += X[i][m] * X[j][m];
+        return result;
+      }
     const VoigtMatrix<dim>           KH = K * H;
     FullMatrix<std::complex<double>> matrix(n, n);
     for (unsigned int i = 0; i < n; ++i)
       for (unsigned int j = 0; j < n; ++j)
         matrix(i, j) = (i == j ? 1. : 0.) + kappa * KH[i][j];
     matrix.gauss_jordan();
-    VoigtMatrix<dim, std::complex<double>> result;
     for (unsigned int i = 0; i < n; ++i)
       for (unsigned int j = 0; j < n; ++j)
         result[i] += matrix(i, j) * K[j];

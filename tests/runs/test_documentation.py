@@ -97,7 +97,7 @@ def test_getting_started():
 @full
 def test_tutorial():
     """After test_readme, which copies prm/."""
-    check_shown("doc/tutorial.md", 20)
+    check_shown("doc/tutorial.md", 15)
 
 
 def test_parameters():

@@ -23,10 +23,12 @@ namespace Crevasse
    *
    * with the ComplexModuli K*ₙ and the zₙ of Harmonics. Only the contact forces
    * couple the harmonics; they follow from a PeriodicContactProblem on the lip.
-   * The mean stress is that of the secular flow, s̄ᵢ = η₀ ηᵢ Dβ. Only the lip
-   * bounds the mean of the displacement: on the lip it is the offsets of the
-   * contact problem, or what keeps unloaded nodes from penetrating; in the body
-   * it has the least elastic energy.
+   * With a spring the mean is another harmonic, n = 0, with the moduli that
+   * remain (κ infinite). Otherwise
+   * the mean stress is that of the secular flow, s̄ᵢ = η₀ ηᵢ Dβ, and only the
+   * lip bounds the mean of the displacement: on the lip it is the offsets of
+   * the contact problem, or what keeps unloaded nodes from penetrating; in the
+   * body it has the least elastic energy.
    */
   template <int dim>
   class Fourier
@@ -38,7 +40,8 @@ namespace Crevasse
     /** Samples loads and thermal strain. The arguments must outlive the Fourier
      * object. Collective.
      *
-     * @param body whose K and H do not depend on time, without a singular H.
+     * @param body whose K and H do not depend on time, with a spring or without
+     * a singular H.
      * @param linear_solver of the stiffness without its factor k.
      * @throw SceneError if a formula has no value. */
     Fourier(const Body<dim> &body,
@@ -65,8 +68,8 @@ namespace Crevasse
     /** Solves all harmonics, with contact. Collective.
      *
      * @param flow caused by mean_load(); null: that load vanishes.
-     * @param solve_contact called if a node bears a mean force, on all ranks
-     * with the same problem.
+     * @param solve_contact called if a node bears a mean force, or there are a
+     * lip and a spring, on all ranks with the same problem.
      * @param memory for complex factors, in bytes, of all ranks.
      * @throw NumericalError if MUMPS fails, and what @p solve_contact throws.
      */
@@ -82,8 +85,30 @@ namespace Crevasse
     Complex
     kappa(const unsigned int n) const
     {
+      if (n == 0)
+        return std::numeric_limits<double>::infinity();
       return harmonics.integral(n) * material.stiffness_factor /
              material.viscosity_factor;
+    }
+
+    bool
+    has_spring() const
+    {
+      return material.spring > 0.;
+    }
+
+    /** The first harmonic that is solved for. */
+    unsigned int
+    first_harmonic() const
+    {
+      return has_spring() ? 0 : 1;
+    }
+
+    /** Real part of harmonic n among coefficients. */
+    static unsigned int
+    real_part(const unsigned int n)
+    {
+      return n == 0 ? 0 : 2 * n - 1;
     }
 
     ComplexModuli<dim>
@@ -92,7 +117,7 @@ namespace Crevasse
       return ComplexModuli<dim>(material, kappa(n), body.points.n_local_points);
     }
 
-    /** Harmonic χθₙ of the thermal strain at a point; 0 if constant in time. */
+    /** Harmonic χθₙ of the thermal strain at a point. */
     VoigtVector<dim, Complex>
     thermal_harmonic(const unsigned int n, const std::size_t offset) const;
 
@@ -100,11 +125,12 @@ namespace Crevasse
     void
     add_thermal_load(const unsigned int        n,
                      const ComplexModuli<dim> &moduli,
-                     std::vector<Vector>      &loads) const;
+                     Vector                   &real,
+                     Vector                   &imaginary) const;
 
-    /** Overwrites the loads by displacements without contact, except the mean,
-     * and returns the contact problem. Harmonics without load are not solved;
-     * their displacement is zero. */
+    /** Overwrites the loads by displacements without contact, except the mean
+     * if nothing but the lip bounds it, and returns the contact problem.
+     * Harmonics without load are not solved; their displacement is zero. */
     PeriodicContactProblem
     respond(HarmonicResponses<dim> &responses,
             const LipPart          &part,
@@ -207,6 +233,12 @@ namespace Crevasse
           viscosity.emplace(body, material);
           compliance = transform(*material.stiffness, n_points, inverse<dim>);
         }
+      std::optional<ComplexModuli<dim>> remaining;
+      if (has_spring())
+        {
+          remaining.emplace(moduli(0));
+          compliance = transform(*material.stiffness, n_points, inverse<dim>);
+        }
 
       body.strain_operator.for_each_strain(
         motion.displacement[0],
@@ -224,6 +256,17 @@ namespace Crevasse
                      ((*compliance)[point] *
                       (viscosity->branches[i][point] *
                        Field::get(flow->strain_rate, place)));
+              if (remaining)
+                {
+                  VoigtVector<dim>                stress;
+                  const VoigtVector<dim, Complex> all =
+                    remaining->branches[i][point] *
+                    VoigtVector<dim, Complex>(strain);
+                  for (unsigned int c = 0; c < Field::n_components; ++c)
+                    stress[c] = all[c].real();
+                  r -= 1. / material.fractions[i] *
+                       ((*compliance)[point] * stress);
+                }
               if (material.plane_stress)
                 r[voigt_index<dim>(2, 2)] = 0.; // not used
               Field::set(motion.viscous_strain[0], place, r);

@@ -9,6 +9,7 @@
 
 #include <complex>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -42,10 +43,14 @@ namespace Crevasse
     /** Compliances S₁ … S_⌊N/2⌋; for an even N the last one is real. */
     std::vector<Compliance> compliances;
 
+    /** Compliance S₀, real. If it is given, S ∗ g includes the mean, w⁰ is all
+     * of the opening without contact, c = 0, and the mean of g follows. */
+    std::optional<Compliance> mean_compliance;
+
     /** Openings w⁰ without contact for each of the N instants. */
     std::vector<dealii::Vector<double>> openings_without_contact;
 
-    /** Mean forces ḡ > 0 for each node. */
+    /** Mean forces ḡ > 0 for each node; 0 with a mean_compliance. */
     dealii::Vector<double> mean_forces;
   };
 

@@ -15,20 +15,21 @@ namespace Crevasse
    *
    *     (S ∗ g)(t_j) = (2/N) Re Σₙ Sₙ ĝₙ exp(2πi n j/N),    n = 1 … N/2,
    *
-   * where the last harmonic of an even N counts half. A function is one vector
+   * where the last harmonic of an even N counts half; with a mean_compliance n
+   * begins with 0, which counts half. A function is one vector
    * of p N entries: all nodes of the first instant, of the second, and so on.
    */
   class PeriodicConvolution
   {
   public:
-    /** Plans the transforms. Shares the p × p matrices of S₁ … S_{N/2}. */
-    PeriodicConvolution(
-      const std::vector<PeriodicContactProblem::Compliance> &compliances,
-      const unsigned int                                     n_nodes,
-      const unsigned int                                     n_instants);
+    /** Plans the transforms. Shares the p × p matrices of the @p problem. */
+    PeriodicConvolution(const PeriodicContactProblem &problem,
+                        const unsigned int            n_nodes,
+                        const unsigned int            n_instants);
     ~PeriodicConvolution();
 
-    /** Computes S ∗ g, p N entries with zero mean whatever the mean of g. */
+    /** Computes S ∗ g, p N entries; without a mean_compliance their mean is
+     * zero whatever the mean of g. */
     void
     vmult(dealii::Vector<double>       &result,
           const dealii::Vector<double> &function) const;
@@ -46,14 +47,16 @@ namespace Crevasse
      * there are no harmonics. */
     dealii::FullMatrix<double> elastic_compliance;
 
+    const bool         has_mean;   ///< whether there is a mean_compliance
     const unsigned int n_nodes;    ///< number p of nodes
     const unsigned int n_instants; ///< number N of instants
 
   private:
     struct Transforms;
 
-    const std::vector<PeriodicContactProblem::Compliance> compliances;
-    const std::unique_ptr<Transforms>                     transforms;
+    /** Compliances with their n, ascending. */
+    std::map<unsigned int, PeriodicContactProblem::Compliance> compliances;
+    const std::unique_ptr<Transforms>                          transforms;
 
     /** Scratch data of vmult(): a harmonic, and its response. */
     mutable dealii::Vector<std::complex<double>> harmonic, response;

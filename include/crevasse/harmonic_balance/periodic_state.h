@@ -21,11 +21,17 @@ namespace Crevasse
     void
     compute_openings();
 
-    /** Scale of forces: the largest |g|, or ḡ if larger. */
+    /** Scale of forces: the largest |g|, or ḡ if larger; without any, one that
+     * moves nodes as far as they are without contact, or 1. */
     double
     force_scale() const
     {
-      return std::max(forces.linfty_norm(), mean_forces.linfty_norm());
+      const double opening = without_contact.linfty_norm();
+      const double largest =
+        std::max(forces.linfty_norm(), mean_forces.linfty_norm());
+      return largest > 0.   ? largest
+             : opening > 0. ? opening / convolution.largest_compliance
+                            : 1.;
     }
 
     /** Scale of openings: largest |w⁰| plus effect of the largest force. */

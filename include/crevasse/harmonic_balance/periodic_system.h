@@ -16,6 +16,8 @@ namespace Crevasse
    *
    *     S ∗ x + c = right on A,   x = 0 elsewhere,   mean(x) = mean.
    *
+   * With a mean_compliance c = 0, and the mean of x is not given.
+   *
    * Small systems are factored: the kernel of the convolution is a dense
    * matrix. Large systems are solved by GMRES, with the convolution by Fourier
    * transforms, and factored only if GMRES does not converge. The
@@ -29,7 +31,8 @@ namespace Crevasse
     PeriodicSystem(const PeriodicConvolution    &convolution,
                    const PeriodicContactOptions &options);
 
-    /** Sets the active entries, at least one a node, and prepares solving.
+    /** Sets the active entries, at least one a node if means are given, and
+     * prepares solving.
      *
      * @param shift D ≥ 0 of proximal points, added to the diagonal.
      * @throw NumericalError if the matrix is singular. */
@@ -97,6 +100,7 @@ namespace Crevasse
 
     const PeriodicConvolution    &convolution;
     const PeriodicContactOptions &options;
+    const unsigned int            n_offsets; ///< p, or 0
 
     /** Active entries, ascending, and where each instant begins among them. */
     std::vector<unsigned int> unknowns, begins;

@@ -22,7 +22,7 @@ namespace Crevasse
 
   /** Stiffness (I + κ K H)⁻¹ K after relaxation by the fluidity H. K and H
    * are symmetric and positive semidefinite; the real part of κ, real or
-   * complex, is not negative. */
+   * complex, is not negative. A complex κ may be infinite, for what remains. */
   template <int dim>
   VoigtMatrix<dim>
   relaxed_stiffness(const VoigtMatrix<dim> &K,
