@@ -93,14 +93,16 @@ namespace Crevasse
     , loads(loads)
     , body_force(components_in_volume(loads))
     , of_contact_forces(
-        mode == CrackMode::opening ||
-            (mode == CrackMode::sliding && body.friction)
-          ? lip_integral(body, region.tip, region.weight(squares.size))
+        !region.has_bends() && (mode == CrackMode::opening ||
+                                (mode == CrackMode::sliding && body.friction))
+          ? lip_integral(body, region, region.weight(squares.size))
           : std::vector<double>())
   {
     if (kappa_of_ring > 0.)
       for (double &factor : of_contact_forces)
         factor /= region.tip.position[0];
+    if (region.has_bends())
+      integrate_over_bends(squares.size);
     integrate_over_cells(squares);
     balance(integrate_over_lips(squares.size));
   }
@@ -141,11 +143,14 @@ namespace Crevasse
       weights_of_creep(region, squares);
     has_creep                = !of_creep.empty();
     const SquareWeight whole = region.weight(squares.size);
-    const auto         add   = [&](Kernel         &kernel,
+    Point<2>           center;
+    const auto         add = [&](Kernel         &kernel,
                          const Point<2> &point,
-                         const double    share) {
-      const auto field_of = [&](const SquareWeight &weight) {
-        return field_at(region.tip.local(point), weight);
+                         const double    of_point) {
+      const Point<2> local    = region.tip.local(point);
+      const double   share    = of_point * sign(center, local);
+      const auto     field_of = [&](const SquareWeight &weight) {
+        return field_at(local, weight);
       };
       kernel.field.add(share, field_of(whole));
       for (const auto &[weight, factor] : of_creep)
@@ -161,6 +166,7 @@ namespace Crevasse
         const auto &reach = region.reach(cell->active_cell_index());
         if (reach.first >= squares.size)
           continue;
+        center                    = region.tip.local(cell->center());
         const std::size_t   first = body.points.first_point(cell);
         std::vector<Kernel> of_cell(space.quadrature(cell).size());
         for (unsigned int p = 0; p < of_cell.size(); ++p)
@@ -182,105 +188,6 @@ namespace Crevasse
               }
           }
         kernels.insert(kernels.end(), of_cell.begin(), of_cell.end());
-      }
-  }
-
-
-
-  std::array<VoigtVector<2>, 2>
-  InteractionIntegral::integrate_over_lips(const double size)
-  {
-    const SquareWeight            weight = region.weight(size);
-    std::array<VoigtVector<2>, 2> lips;
-    for (const LipPoint &point : lip_points(body.space, region.tip, size))
-      {
-        AuxiliaryField field;
-        field.add(point.weight, field_at(point.local, weight));
-        for (const unsigned int k : {0, 1})
-          {
-            const Tensor<2, 2> work =
-              outer_product(field.of_force[k], point.normal);
-            lips[k][0] += work[0][0];
-            lips[k][1] += work[1][1];
-            lips[k][3] += work[0][1] + work[1][0];
-          }
-        if (body.space.roles.loaded.count(point.id) > 0)
-          loaded.emplace_back(point, field);
-      }
-    return lips;
-  }
-
-
-
-  VoigtVector<2>
-  InteractionIntegral::what_lips_bear(const VoigtVector<2> &of_stress) const
-  {
-    if (mode == CrackMode::constant)
-      return {}; // uniform stress has a T
-    VoigtVector<2> factors = of_stress;
-    if (kappa_of_ring > 0.)
-      factors[0] = factors[2] = 0.5 * (factors[0] + factors[2]);
-    if (region.tip.two_lips)
-      return factors;
-    // Ahead of one lip the plane of symmetry bears shear stress.
-    VoigtVector<2> normal;
-    normal[2] = factors[2];
-    for (const Tensor<1, 2> &n : {region.tip.ahead, region.tip.inward})
-      {
-        const double of_n = factors[0] * n[0] * n[0] +
-                            factors[1] * n[1] * n[1] + factors[3] * n[0] * n[1];
-        normal[0] += of_n * n[0] * n[0];
-        normal[1] += of_n * n[1] * n[1];
-        normal[3] += of_n * 2. * n[0] * n[1];
-      }
-    return normal;
-  }
-
-
-
-  void
-  InteractionIntegral::balance(const std::array<VoigtVector<2>, 2> &lips)
-  {
-    const MPI_Comm communicator = body.space.communicator();
-    const auto     is_at_tip    = [&](const Kernel &kernel) {
-      return region.reach(points.cell[kernel.point]).first == 0.;
-    };
-    VoigtVector<2>                sum;
-    std::array<VoigtVector<2>, 2> of_stress;
-    double                        area = 0., area_at_tip = 0.;
-    for (const Kernel &kernel : kernels)
-      {
-        area += points.weight[kernel.point];
-        sum += kernel.field.of_strain;
-        for (const unsigned int k : {0, 1})
-          of_stress[k] += kernel.field.of_stress[k];
-        if (is_at_tip(kernel))
-          area_at_tip += points.weight[kernel.point];
-      }
-    const auto of_ranks = [communicator](VoigtVector<2> vector) {
-      for (unsigned int c = 0; c < QuadratureField<2>::n_components; ++c)
-        vector[c] = Utilities::MPI::sum(vector[c], communicator);
-      return vector;
-    };
-    sum = of_ranks(sum);
-    for (const unsigned int k : {0, 1})
-      of_stress[k] = what_lips_bear(of_ranks(of_stress[k] - lips[k]));
-    area        = Utilities::MPI::sum(area, communicator);
-    area_at_tip = Utilities::MPI::sum(area_at_tip, communicator);
-    if (kappa_of_ring > 0.)
-      {
-        // On rings u₁ = x₁ strains hoops as well, and u₁ = x₂ is not uniform.
-        sum[0] = sum[2] = 0.5 * (sum[0] + sum[2]);
-        sum[3]          = 0.;
-      }
-    for (Kernel &kernel : kernels)
-      {
-        const double weight = points.weight[kernel.point];
-        if (is_at_tip(kernel))
-          kernel.field.of_strain -= weight / area_at_tip * sum;
-        // Spread over the square: stress is largest at the tip.
-        for (const unsigned int k : {0, 1})
-          kernel.field.of_stress[k] -= weight / area * of_stress[k];
       }
   }
 
@@ -319,13 +226,15 @@ namespace Crevasse
                kappa * (kernel.field.of_stress[1] * s);
       }
     sum *= 4. / (kappa + 1.);
-    if (of_contact_forces.empty())
-      return Utilities::MPI::sum(sum, body.space.communicator());
-    const std::vector<double> &on_lips = mode == CrackMode::opening
-                                           ? contact_forces.normal
-                                           : contact_forces.tangential.front();
+    const std::vector<double> &normal = contact_forces.normal;
     for (std::size_t i = 0; i < of_contact_forces.size(); ++i)
-      sum += of_contact_forces[i] * on_lips[i];
+      sum += of_contact_forces[i] * (mode == CrackMode::opening
+                                       ? normal[i]
+                                       : contact_forces.tangential[0][i]);
+    for (std::size_t i = 0; i < of_pressure_on_bends[0].size(); ++i)
+      sum += 4. / (kappa + 1.) *
+             (of_pressure_on_bends[0][i] + kappa * of_pressure_on_bends[1][i]) *
+             normal[i];
     return Utilities::MPI::sum(sum, body.space.communicator());
   }
 
@@ -345,7 +254,15 @@ namespace Crevasse
     if (creeps || !material.stiffness->is_uniform() ||
         material.thermal_strain != nullptr)
       sum += of_variation(sample, material, at_tip, creeps);
-    return of_uniform - Utilities::MPI::sum(sum, body.space.communicator());
+    double of_lips = 0.;
+    if (region.has_bends())
+      of_lips =
+        material.stiffness_factor * at_tip.modulus() *
+        (of_displacement * body.nodal_displacement(sample.state.displacement,
+                                                   sample.state.instant,
+                                                   sample.time));
+    return of_uniform + of_lips -
+           Utilities::MPI::sum(sum, body.space.communicator());
   }
 
 

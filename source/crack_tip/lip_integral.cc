@@ -29,15 +29,16 @@ namespace Crevasse
 
 
 
-    /** Calls f(cell, face number, values) for this rank's faces on the lips of
-     * a tip, with values for the weight 1/√r. */
+    /** Calls f(cell, face number, values, √r of the points) for this rank's
+     * faces on the lips of a tip, with values for the weight 1/√r. */
     template <typename Function>
     void
-    for_each_face(const Space<2> &space,
-                  const CrackTip &tip,
-                  const double    size,
-                  const Function &f)
+    for_each_face(const Space<2>  &space,
+                  const TipRegion &region,
+                  const double     size,
+                  const Function  &f)
     {
+      const CrackTip &tip = region.tip;
       for (const auto &cell : owned_cells(space.dof_handler))
         for (const unsigned int face : cell->face_indices())
           {
@@ -48,17 +49,22 @@ namespace Crevasse
             const Point<2> b   = tip.local(cell->face(face)->vertex(1));
             const double   r_a = -a[0], r_b = -b[0];
             // Faces of other lips do not count.
-            if (!tip.is_on_line(a) || !tip.is_on_line(b) || r_a + r_b <= 0. ||
+            if (!region.is_of_tip(a, b) || r_a + r_b <= 0. ||
                 std::min(r_a, r_b) >= size)
               continue;
+            const double        begin = std::max(r_a, 0.);
+            const double        end   = std::max(r_b, 0.);
+            const Quadrature<1> rule  = inverse_root_rule(begin, end);
+            std::vector<double> roots;
+            for (const Point<1> &node : rule.get_points())
+              roots.push_back(std::sqrt(begin + node[0] * (end - begin)));
             FEFaceValues<2> values(space.mapping,
                                    space.finite_element,
-                                   inverse_root_rule(std::max(r_a, 0.),
-                                                     std::max(r_b, 0.)),
+                                   rule,
                                    update_values | update_quadrature_points |
                                      update_JxW_values | update_normal_vectors);
             values.reinit(cell, face);
-            f(cell, face, values);
+            f(cell, face, values, roots);
           }
     }
   } // namespace
@@ -67,53 +73,103 @@ namespace Crevasse
 
   std::vector<double>
   lip_integral(const Body<2>      &body,
-               const CrackTip     &tip,
+               const TipRegion    &region,
                const SquareWeight &weight)
   {
-    const FESystem<2>                   &fe = body.space.finite_element;
+    const CrackTip                      &tip = region.tip;
+    const FESystem<2>                   &fe  = body.space.finite_element;
     std::vector<types::global_dof_index> dofs(fe.n_dofs_per_cell());
     Vector       per_pressure = body.space.ghosted_vector();
     const double factor = tip.two_lips ? 1. : 2.; // two equal lips, or one
-    for_each_face(
-      body.space,
-      tip,
-      weight.radius,
-      [&](const auto &cell, const unsigned int f, const auto &values) {
-        cell->get_dof_indices(dofs);
-        for (const unsigned int i : values.dof_indices())
-          if (fe.has_support_on_face(i, f))
-            for (const unsigned int q : values.quadrature_point_indices())
-              per_pressure(dofs[i]) +=
-                factor / std::sqrt(2. * numbers::PI) *
-                values.shape_value(i, q) *
-                weight.factor(tip.local(values.quadrature_point(q))[0])[0] *
-                values.JxW(q);
-      });
+    for_each_face(body.space,
+                  region,
+                  weight.radius,
+                  [&](const auto        &cell,
+                      const unsigned int f,
+                      const auto        &values,
+                      const auto &) {
+                    cell->get_dof_indices(dofs);
+                    for (const unsigned int i : values.dof_indices())
+                      if (fe.has_support_on_face(i, f))
+                        for (const unsigned int q :
+                             values.quadrature_point_indices())
+                          per_pressure(dofs[i]) +=
+                            factor / std::sqrt(2. * numbers::PI) *
+                            values.shape_value(i, q) *
+                            weight.factor(
+                              tip.local(values.quadrature_point(q))[0])[0] *
+                            values.JxW(q);
+                  });
     return body.lip.of_contact_forces(per_pressure);
   }
 
 
 
   std::vector<LipPoint>
-  lip_points(const Space<2> &space, const CrackTip &tip, const double size)
+  lip_points(const Space<2> &space, const TipRegion &region, const double size)
   {
+    const CrackTip       &tip = region.tip;
     std::vector<LipPoint> points;
     for_each_face(
       space,
-      tip,
+      region,
       size,
-      [&](const auto &cell, const unsigned int f, const auto &values) {
+      [&](const auto        &cell,
+          const unsigned int f,
+          const auto        &values,
+          const auto        &roots) {
         for (const unsigned int q : values.quadrature_point_indices())
           {
             const Point<2> &point = values.quadrature_point(q);
             const Point<2>  local = tip.local(point, cell->center());
-            points.push_back({cell->face(f)->boundary_id(),
-                              point,
-                              local,
-                              values.normal_vector(q),
-                              std::sqrt(-local[0]) * values.JxW(q)});
+            points.push_back(
+              {cell->face(f)->boundary_id(),
+               point,
+               local,
+               values.normal_vector(q),
+               roots[q] * values.JxW(q),
+               region.sign_of_root(tip.local(cell->center()), local)});
           }
       });
     return points;
+  }
+
+
+
+  Vector
+  lip_work(const Space<2>                                      &space,
+           const TipRegion                                     &region,
+           const double                                         size,
+           const std::function<Tensor<1, 2>(const LipPoint &)> &force)
+  {
+    const FESystem<2>                   &fe = space.finite_element;
+    std::vector<types::global_dof_index> dofs(fe.n_dofs_per_cell());
+    Vector                               work = space.ghosted_vector();
+    for_each_face(
+      space,
+      region,
+      size,
+      [&](const auto        &cell,
+          const unsigned int f,
+          const auto        &values,
+          const auto        &roots) {
+        cell->get_dof_indices(dofs);
+        for (const unsigned int q : values.quadrature_point_indices())
+          {
+            const Point<2>    &point = values.quadrature_point(q);
+            const Point<2>     local = region.tip.local(point, cell->center());
+            const Tensor<1, 2> t     = force(
+              {cell->face(f)->boundary_id(),
+                   point,
+                   local,
+                   values.normal_vector(q),
+                   roots[q] * values.JxW(q),
+                   region.sign_of_root(region.tip.local(cell->center()), local)});
+            for (const unsigned int i : values.dof_indices())
+              work(dofs[i]) += values.shape_value(i, q) *
+                               t[fe.system_to_component_index(i).first];
+          }
+      });
+    return work;
   }
 } // namespace Crevasse

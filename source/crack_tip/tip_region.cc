@@ -65,8 +65,12 @@ namespace Crevasse
 
 
 
-  TipRegion::TipRegion(const Space<2> &space, const CrackTip &tip)
+  TipRegion::TipRegion(const Space<2> &space,
+                       const CrackTip &tip,
+                       const bool      bends)
     : tip(tip)
+    , path(space, tip)
+    , bends(bends)
     , communicator(space.communicator())
   {
     measure_cells(space);
@@ -78,7 +82,11 @@ namespace Crevasse
         Text::from_number(cell_radius) +
         " from it, but another boundary begins at " + Text::from_number(end) +
         ". Make these cells smaller ([Geometry] Subdivisions or Refinements, "
-        "or [Refinement] Strategy = tip).");
+        "or [Refinement] Strategy = tip)" +
+        (bends || !path.is_curved()
+           ? "."
+           : "; a curved lip needs [Material] Viscosity = none, and no "
+             "[Boundary] Friction coefficient."));
   }
 
 
@@ -174,7 +182,7 @@ namespace Crevasse
             const bool     is_own = a[0] + b[0] > 0.
                                       ? space.roles.symmetry.count(id) > 0
                                       : space.roles.is_lip(id);
-            if (!tip.is_on_line(a) || !tip.is_on_line(b) || !is_own)
+            if (!is_own || !is_of_tip(a, b))
               end = std::min(end, distance_of_segment(a, b));
           }
     for (const CrackTip &other : find_crack_tips(space.mesh(), space.roles))

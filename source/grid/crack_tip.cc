@@ -43,7 +43,7 @@ namespace Crevasse
       types::boundary_id                id;
       unsigned int                      index; ///< index of the vertex or edge
       std::pair<Point<dim>, Point<dim>> end;
-      Point<dim>                        center;
+      Point<dim>                        center, middle; ///< of chord and arc
       Tensor<1, dim>                    normal;
     };
 
@@ -77,6 +77,7 @@ namespace Crevasse
                                              index,
                                              {first, last},
                                              face->center(),
+                                             face->center(true),
                                              normal});
               };
               if constexpr (dim == 2)
@@ -156,9 +157,13 @@ namespace Crevasse
       list.push_back(tip);
     for_each_end_of_crack<2>(
       mesh, roles, [&](const FaceAtEnd<2> &lip, const FaceAtEnd<2> &) {
-        const Point<2>    &tip      = lip.end.first;
-        const double       distance = tip.distance(lip.center);
-        const Tensor<1, 2> ahead    = (tip - lip.center) / distance;
+        // The tangent of a circle halves angles between chords.
+        const Point<2>    &tip  = lip.end.first;
+        const Tensor<1, 2> half = tip - lip.middle, all = tip - lip.center;
+        Tensor<1, 2>       ahead = half;
+        if (half * all < (1. - 1e-14) * half.norm() * all.norm())
+          ahead = 2. * (half * all) / half.norm_square() * half - all;
+        ahead /= ahead.norm();
         list.push_back({tip,
                         ahead,
                         Tensor<1, 2>({-ahead[1], ahead[0]}),

@@ -55,7 +55,7 @@ namespace Crevasse
     , body(body)
     , geometry(geometry)
     , points(*geometry)
-    , region(body.space, tip)
+    , region(body.space, tip, !body.effects.viscosity.on && !body.friction)
     , first_elasticity(find_elasticity(0.))
     , uniform(find_uniform_radii(steps))
     , uses_fit(scene.crack_tip.method == StressIntensityMethod::williams_fit)
@@ -221,7 +221,15 @@ namespace Crevasse
     const double     wish  = scene.crack_tip.radius;
     // Viscous strain does not enter where creep is uniform.
     const double most = uniform.creep >= least * end ? uniform.creep : end;
-    // Fields of known K are those of the plane.
+    // Fields of known K are those of straight lips in the plane.
+    if (region.has_bends())
+      {
+        // What cells at the tip leave of fields of known K beside straight
+        // lips.
+        const double of_cells = scene.discretisation.degree == 1 ? 0.6 : 0.2;
+        const double size     = region.square(wish, wish > 0. ? end : most);
+        return {size, of_cells * region.cell_radius / size};
+      }
     if (body.space.roles.has_axis || uses_fit)
       return {region.square(wish, wish > 0. || uses_fit ? end : most), 0.};
     const KnownFields fields(body, region);
@@ -307,6 +315,12 @@ namespace Crevasse
         all.error[i]               = std::abs(all.intensity[i] - check);
         if (i == 0)
           all.of_stress = check;
+      }
+    if (const double wrong = 0.5 * region.path.first_bend(); wrong > 0.)
+      {
+        // What a turn of the tip changes (Cotterell and Rice 1980).
+        all.error[0] += std::abs(1.5 * wrong * all.intensity[1]);
+        all.error[1] += std::abs(0.5 * wrong * all.intensity[0]);
       }
     if (!fits || is_closed)
       return all;

@@ -51,6 +51,10 @@ namespace Crevasse
    * divided by the radius of the front. N then depends on κ in another way, so
    * a single κ is supported.
    *
+   * Lips that bend are not free of τ's forces: their displacement adds E' ∫_lip
+   * u·τn ds, in an elastic body. The fields are continued from their line to
+   * the LipPath.
+   *
    * In an anisotropic body the fields are those of AnisotropicTip, without E'.
    *
    * The weight q is SquareWeight in the square |X| ≤ R, 0 ≤ Y ≤ R, or
@@ -125,6 +129,25 @@ namespace Crevasse
     AuxiliaryField
     field_at(const dealii::Point<2> &local, const SquareWeight &weight) const;
 
+    /** Factor of a field that is continued at a point of a cell. */
+    double
+    sign(const dealii::Point<2> &center, const dealii::Point<2> &local) const
+    {
+      return mode == CrackMode::constant ? 1.
+                                         : region.sign_of_root(center, local);
+    }
+
+    /** Factor of a field at a point of a lip. */
+    double
+    factor(const LipPoint &point) const
+    {
+      return point.weight * (mode == CrackMode::constant ? 1. : point.sign);
+    }
+
+    /** Factors of displacement and pressure on lips that bend. */
+    void
+    integrate_over_bends(const double size);
+
     /** Integrates over the lips: keeps the loaded points.
      * @return the factors of a uniform stress that the lips bear. */
     std::array<VoigtVector<2>, 2>
@@ -164,6 +187,10 @@ namespace Crevasse
     std::vector<Kernel>                              kernels;
     bool                has_creep = false; ///< whether viscous strain enters
     std::vector<double> of_contact_forces;
+    Vector              of_displacement; ///< on lips that bend
+    /** Integral of τ over the square, which lips that bend bear. */
+    VoigtVector<2>                     of_uniform_strain;
+    std::array<std::vector<double>, 2> of_pressure_on_bends;
   };
 } // namespace Crevasse
 

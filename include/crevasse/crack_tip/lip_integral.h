@@ -4,7 +4,7 @@
 #ifndef crevasse_crack_tip_lip_integral_h
 #define crevasse_crack_tip_lip_integral_h
 
-#include <crevasse/crack_tip/auxiliary_field.h>
+#include <crevasse/crack_tip/tip_region.h>
 #include <crevasse/model/body.h>
 
 namespace Crevasse
@@ -15,7 +15,7 @@ namespace Crevasse
    * the forces along the tangents: see LipBasis. */
   std::vector<double>
   lip_integral(const Body<2>      &body,
-               const CrackTip     &tip,
+               const TipRegion    &region,
                const SquareWeight &weight);
 
   /** Quadrature point on the lips of a tip. */
@@ -26,12 +26,21 @@ namespace Crevasse
     dealii::Point<2>           local;  ///< (X, Y), Y with the sign of the lip
     dealii::Tensor<1, 2>       normal; ///< outward
     double                     weight; ///< share of the lip's area
+    double                     sign;   ///< TipRegion::sign_of_root()
   };
 
   /** This rank's points on the lips of a tip within a square of this size, for
    * integrals of smooth functions and of √r or 1/√r. */
   std::vector<LipPoint>
-  lip_points(const Space<2> &space, const CrackTip &tip, const double size);
+  lip_points(const Space<2> &space, const TipRegion &region, const double size);
+
+  /** Work of forces on the lips as factors of the displacements, without those
+   * that other ranks add. @param force at a point, times its weight. */
+  Vector
+  lip_work(const Space<2>                                              &space,
+           const TipRegion                                             &region,
+           const double                                                 size,
+           const std::function<dealii::Tensor<1, 2>(const LipPoint &)> &force);
 } // namespace Crevasse
 
 #endif

@@ -6,6 +6,7 @@
 
 #include <crevasse/base/summary.h>
 #include <crevasse/crack_tip/auxiliary_field.h>
+#include <crevasse/crack_tip/lip_path.h>
 #include <crevasse/discretisation/point_values.h>
 #include <crevasse/discretisation/quadrature_field.h>
 
@@ -45,10 +46,37 @@ namespace Crevasse
   {
   public:
     /** Collective.
+     * @param bends whether curved lips belong to the region, too.
      * @throw SceneError if another boundary begins in the cells at the tip. */
-    TipRegion(const Space<2> &space, const CrackTip &tip);
+    TipRegion(const Space<2> &space,
+              const CrackTip &tip,
+              const bool      bends = false);
 
     const CrackTip tip;
+    const LipPath  path;
+
+    /** Whether lips in the region bend. */
+    bool
+    has_bends() const
+    {
+      return bends && path.is_curved();
+    }
+
+    /** LipPath::sign_of_root() of fields in the region. */
+    double
+    sign_of_root(const dealii::Point<2> &center,
+                 const dealii::Point<2> &local) const
+    {
+      return has_bends() ? path.sign_of_root(center, local) : 1.;
+    }
+
+    /** Whether a face of a lip, with these ends, is one of the tip's. */
+    bool
+    is_of_tip(const dealii::Point<2> &a, const dealii::Point<2> &b) const
+    {
+      return has_bends() ? path.has_node(a) && path.has_node(b)
+                         : tip.is_on_line(a) && tip.is_on_line(b);
+    }
 
     /** Distance of the tip to another boundary or another tip. */
     double
@@ -108,6 +136,7 @@ namespace Crevasse
     void
     find_boundaries(const Space<2> &space);
 
+    const bool            bends;
     const MPI_Comm        communicator;
     std::vector<Interval> cells; ///< intervals by active cell index
     double                end = 0.;

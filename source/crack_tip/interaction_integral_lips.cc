@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Crevasse authors
+
+#include <crevasse/crack_tip/interaction_integral.h>
+
+namespace Crevasse
+{
+  using namespace dealii;
+
+  namespace
+  {
+    Tensor<1, 2>
+    traction(const VoigtVector<2> &stress, const Tensor<1, 2> &n)
+    {
+      return Tensor<1, 2>({stress[0] * n[0] + stress[3] * n[1],
+                           stress[3] * n[0] + stress[1] * n[1]});
+    }
+
+
+
+    /** Symmetric part of x ⊗ t. */
+    VoigtVector<2>
+    moment(const Tensor<1, 2> &x, const Tensor<1, 2> &t)
+    {
+      VoigtVector<2> vector;
+      vector[0] = x[0] * t[0];
+      vector[1] = x[1] * t[1];
+      vector[3] = 0.5 * (x[0] * t[1] + x[1] * t[0]);
+      return vector;
+    }
+  } // namespace
+
+
+
+  std::array<VoigtVector<2>, 2>
+  InteractionIntegral::integrate_over_lips(const double size)
+  {
+    const SquareWeight            weight = region.weight(size);
+    std::array<VoigtVector<2>, 2> lips;
+    for (const LipPoint &point : lip_points(body.space, region, size))
+      {
+        AuxiliaryField field;
+        field.add(factor(point), field_at(point.local, weight));
+        for (const unsigned int k : {0, 1})
+          {
+            const Tensor<2, 2> work =
+              outer_product(field.of_force[k], point.normal);
+            lips[k][0] += work[0][0];
+            lips[k][1] += work[1][1];
+            lips[k][3] += work[0][1] + work[1][0];
+          }
+        if (body.space.roles.loaded.count(point.id) > 0)
+          loaded.emplace_back(point, field);
+        if (region.has_bends())
+          of_uniform_strain += moment(point.point - region.tip.position,
+                                      traction(field.of_strain, point.normal));
+      }
+    // A uniform stress has a displacement of the lips, too.
+    VoigtVector<2> twofold = of_uniform_strain, both;
+    twofold[3] *= 2.;
+    both[0] = both[1] = of_uniform_strain[0] + of_uniform_strain[1];
+    lips[0] -= anisotropic != nullptr ? anisotropic->modulus() *
+                                          anisotropic->strain(of_uniform_strain)
+                                      : twofold - 0.75 * both;
+    if (anisotropic == nullptr)
+      lips[1] -= 0.25 * both;
+    return lips;
+  }
+
+
+
+  void
+  InteractionIntegral::integrate_over_bends(const double size)
+  {
+    const SquareWeight weight = region.weight(size);
+    of_displacement =
+      lip_work(body.space, region, size, [&](const LipPoint &point) {
+        return factor(point) *
+               traction(field_at(point.local, weight).of_strain, point.normal);
+      });
+    of_displacement.compress(VectorOperation::add);
+    // A pressure of contact acts along the normal.
+    for (const unsigned int k : {0, 1})
+      {
+        Vector per_pressure =
+          lip_work(body.space, region, size, [&](const LipPoint &point) {
+            const double along =
+              factor(point) *
+              (field_at(point.local, weight).of_force[k] * point.normal);
+            return Tensor<1, 2>({along, along});
+          });
+        of_pressure_on_bends[k] = body.lip.of_contact_forces(per_pressure);
+      }
+  }
+
+
+
+  VoigtVector<2>
+  InteractionIntegral::what_lips_bear(const VoigtVector<2> &of_stress) const
+  {
+    if (mode == CrackMode::constant)
+      return {}; // uniform stress has a T
+    VoigtVector<2> factors = of_stress;
+    if (kappa_of_ring > 0.)
+      factors[0] = factors[2] = 0.5 * (factors[0] + factors[2]);
+    if (region.tip.two_lips)
+      return factors;
+    // Ahead of one lip the plane of symmetry bears shear stress.
+    VoigtVector<2> normal;
+    normal[2] = factors[2];
+    for (const Tensor<1, 2> &n : {region.tip.ahead, region.tip.inward})
+      {
+        const double of_n = factors[0] * n[0] * n[0] +
+                            factors[1] * n[1] * n[1] + factors[3] * n[0] * n[1];
+        normal[0] += of_n * n[0] * n[0];
+        normal[1] += of_n * n[1] * n[1];
+        normal[3] += of_n * 2. * n[0] * n[1];
+      }
+    return normal;
+  }
+
+
+
+  void
+  InteractionIntegral::balance(const std::array<VoigtVector<2>, 2> &lips)
+  {
+    const MPI_Comm communicator = body.space.communicator();
+    const auto     is_at_tip    = [&](const Kernel &kernel) {
+      return region.reach(points.cell[kernel.point]).first == 0.;
+    };
+    VoigtVector<2>                sum;
+    std::array<VoigtVector<2>, 2> of_stress;
+    double                        area = 0., area_at_tip = 0.;
+    for (const Kernel &kernel : kernels)
+      {
+        area += points.weight[kernel.point];
+        sum += kernel.field.of_strain;
+        for (const unsigned int k : {0, 1})
+          of_stress[k] += kernel.field.of_stress[k];
+        if (is_at_tip(kernel))
+          area_at_tip += points.weight[kernel.point];
+      }
+    const auto of_ranks = [communicator](VoigtVector<2> vector) {
+      for (unsigned int c = 0; c < QuadratureField<2>::n_components; ++c)
+        vector[c] = Utilities::MPI::sum(vector[c], communicator);
+      return vector;
+    };
+    sum = of_ranks(sum - of_uniform_strain);
+    for (const unsigned int k : {0, 1})
+      of_stress[k] = what_lips_bear(of_ranks(of_stress[k] - lips[k]));
+    area        = Utilities::MPI::sum(area, communicator);
+    area_at_tip = Utilities::MPI::sum(area_at_tip, communicator);
+    if (kappa_of_ring > 0.)
+      {
+        // On rings u₁ = x₁ strains hoops as well, and u₁ = x₂ is not uniform.
+        sum[0] = sum[2] = 0.5 * (sum[0] + sum[2]);
+        sum[3]          = 0.;
+      }
+    for (Kernel &kernel : kernels)
+      {
+        const double weight = points.weight[kernel.point];
+        if (is_at_tip(kernel))
+          kernel.field.of_strain -= weight / area_at_tip * sum;
+        // Spread over the square: stress is largest at the tip.
+        for (const unsigned int k : {0, 1})
+          kernel.field.of_stress[k] -= weight / area * of_stress[k];
+      }
+  }
+} // namespace Crevasse
