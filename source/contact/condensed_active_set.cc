@@ -1,26 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Crevasse authors
 
-#include <crevasse/base/collectively.h>
 #include <crevasse/contact/condensed_active_set.h>
 
 namespace Crevasse
 {
   using namespace dealii;
-
-  namespace
-  {
-    /** Values of all bounds from the values of each rank. Collective. */
-    dealii::Vector<double>
-    of_all(const SignoriniProblem &problem, const std::vector<double> &local)
-    {
-      const std::vector<double> all =
-        of_all_ranks(problem.stiffness.get_mpi_communicator(), local);
-      return dealii::Vector<double>(all.begin(), all.end());
-    }
-  } // namespace
-
-
 
   CondensedActiveSet::CondensedActiveSet(const SignoriniProblem &problem,
                                          DirectSolver           &linear_solver,
@@ -29,8 +14,8 @@ namespace Crevasse
     , linear_solver(linear_solver)
     , lip(problem)
     , lip_problem(linear_solver.lip_stiffness(),
-                  of_all(problem, problem.bounds.sign),
-                  of_all(problem, problem.bounds.gap),
+                  problem.of_all(problem.bounds.sign),
+                  problem.of_all(problem.bounds.gap),
                   [this](const std::vector<bool> &closed,
                          std::vector<bool>       &next) {
                     lip.extrapolate(closed, next);

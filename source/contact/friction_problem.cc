@@ -60,7 +60,6 @@ namespace Crevasse
     , pairs(pairs)
     , fixed(stiffness.m())
     , right_hand_side(stiffness.m())
-    , forces(stiffness.m())
   {
     unsigned int n_unknowns = 0;
     for (const Pair &pair : pairs)
@@ -77,19 +76,21 @@ namespace Crevasse
                          LipVector       &jumps)
   {
     std::set<std::vector<SlipState>> seen;
-    bool                             has_lemkes = false;
+    bool                             is_rescued = false;
     for (unsigned int n_sets = 1;; ++n_sets)
       {
         solve_with_states(loads, increment, jumps);
         std::vector<SlipState> next = next_states(loads, increment, jumps);
-        if (next == states || has_lemkes)
+        if (next == states || is_rescued)
           return n_sets;
-        if (seen.insert(states).second)
+        // More sets than any problem needed: those of CondensedProblem.
+        const std::size_t enough = 100 * (pairs.size() + 10);
+        if (seen.insert(states).second && n_sets < enough)
           states = std::move(next);
         else
           {
             solve_by_lemke(loads, increment);
-            has_lemkes = true;
+            is_rescued = true;
           }
       }
   }

@@ -16,7 +16,7 @@ namespace Crevasse
     /** Direction d of the artificial variable: without ratios that are equal,
      * so that ties do not occur. */
     double
-    direction(const unsigned int i)
+    covering(const unsigned int i)
     {
       const double golden = 0.6180339887498949 * (i + 1);
       return 1. + 0.1 * (golden - std::floor(golden));
@@ -39,7 +39,7 @@ namespace Crevasse
             rows(i, i) = 1.;
             for (unsigned int j = 0; j < n; ++j)
               rows(i, n + j) = -M(i, j);
-            rows(i, 2 * n)     = -direction(i);
+            rows(i, 2 * n)     = -covering(i);
             rows(i, 2 * n + 1) = r(i);
           }
       }
@@ -112,7 +112,7 @@ namespace Crevasse
     const unsigned int n   = r.size();
     unsigned int       row = 0;
     for (unsigned int i = 1; i < n; ++i)
-      if (r(i) / direction(i) < r(row) / direction(row))
+      if (r(i) / covering(i) < r(row) / covering(row))
         row = i;
     if (r(row) >= 0.)
       return dealii::Vector<double>(n);

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Crevasse authors
 
-#include <crevasse/base/collectively.h>
 #include <crevasse/base/problems.h>
 #include <crevasse/base/text.h>
 #include <crevasse/contact/proximal_point.h>
@@ -12,32 +11,18 @@ namespace Crevasse
 {
   using namespace dealii;
 
-  namespace
-  {
-    /** Values of all bounds from the values of each rank. Collective. */
-    dealii::Vector<double>
-    of_all(const SignoriniProblem &problem, const std::vector<double> &local)
-    {
-      const std::vector<double> all =
-        of_all_ranks(problem.stiffness.get_mpi_communicator(), local);
-      return dealii::Vector<double>(all.begin(), all.end());
-    }
-  } // namespace
-
-
-
   ProximalPoint::ProximalPoint(const SignoriniProblem         &problem,
                                const LAPACKFullMatrix<double> &stiffness)
     : problem(problem)
     , stiffness(stiffness)
-    , sign(of_all(problem, problem.bounds.sign))
-    , springs(of_all(problem, problem.springs()))
+    , sign(problem.of_all(problem.bounds.sign))
+    , springs(problem.of_all(problem.springs()))
     , free_motions(sign.size(), problem.bounds.free_motions.size())
   {
     for (unsigned int m = 0; m < free_motions.n(); ++m)
       {
         const LipVector openings =
-          of_all(problem, problem.bounds.free_motions[m].openings);
+          problem.of_all(problem.bounds.free_motions[m].openings);
         for (unsigned int i = 0; i < openings.size(); ++i)
           free_motions(i, m) = openings(i);
       }

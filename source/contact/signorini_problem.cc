@@ -46,6 +46,16 @@ namespace Crevasse
 
 
 
+  dealii::Vector<double>
+  SignoriniProblem::of_all(const std::vector<double> &local) const
+  {
+    const std::vector<double> all =
+      of_all_ranks(stiffness.get_mpi_communicator(), local);
+    return dealii::Vector<double>(all.begin(), all.end());
+  }
+
+
+
   LinearOperator::Indices
   SignoriniProblem::all_lip_dofs() const
   {

@@ -275,7 +275,8 @@ namespace Crevasse
   void
   LipBasis<dim>::make_opening(Node &node, const Meanings &supported)
   {
-    // With two lips, a degree of freedom may belong to another rank's lip.
+    // With two lips, a degree of freedom may belong to another rank's lip;
+    // friction needs openings and slips on one rank.
     const auto unknown =
       make_unknown(jump_along(node.normal, node, supported),
                    node.sides[1] == numbers::invalid_dof_index &&

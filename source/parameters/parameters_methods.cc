@@ -191,8 +191,9 @@ namespace Crevasse
     prm.add_parameter("Locate contact events",
                       locate_contact_events,
                       "Whether steps are divided where nodes of the crack lip "
-                      "open or close. Otherwise the kinks of the solution "
-                      "there limit every scheme to order 2.");
+                      "open, close or, with friction, begin to slide. "
+                      "Otherwise the kinks of the solution there limit every "
+                      "scheme to order 2, with friction to order 1.");
     prm.add_parameter(
       "Check stability",
       check_stability,

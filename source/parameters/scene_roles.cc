@@ -27,6 +27,15 @@ namespace Crevasse
         "must be 0 for a built-in shape: its crack lies in a plane "
         "of symmetry, where nothing slides; use a mesh file with "
         "[Boundary] Crack");
+      const Checker tip(CrackTipParameters::section, problems);
+      tip.demand(scene.crack_tip.method != StressIntensityMethod::williams_fit,
+                 "Method",
+                 "must not be williams fit" + reason +
+                   ": it is for lips without shear; use automatic");
+      tip.demand(!scene.crack_tip.creep_integral,
+                 "Creep integral",
+                 "must be false" + reason +
+                   ", which the integral does not include");
       const Checker geometry(GeometryParameters::section, problems);
       geometry.demand(!scene.geometry.crack_growth.is_valid() ||
                         scene.geometry.crack_growth->empty(),
@@ -37,8 +46,8 @@ namespace Crevasse
         !traits(scene.time_integration.scheme).has(Trait::is_of_arkode),
         "Scheme",
         "must not be one of ARKODE" + reason +
-          ", as its steps begin where no slip has been counted; use "
-          "automatic, heun, rk4 or sdirk2");
+          ", which interpolates over steps, across the instants at which lips "
+          "begin to slide; use automatic, heun, rk4 or sdirk2");
       const Checker refinement(RefinementParameters::section, problems);
       refinement.demand(
         scene.refinement.strategy != RefinementStrategy::adaptive,

@@ -112,7 +112,7 @@ namespace Crevasse
         scene.material.viscosity != ViscosityType::none &&
         traits(scene.time_integration.scheme).has(Trait::keeps_matrices);
       return {
-        {"Boundary/Gap", !has_contact, no_contact},
+        {"Boundary/Gap, Friction coefficient", !has_contact, no_contact},
         {"Time integration/Newton tolerance",
          !implicit || scene.material.creep_law() == nullptr,
          "there is no implicit stage of nonlinear creep"},
@@ -142,11 +142,14 @@ namespace Crevasse
       const StepControlType            control  = time.step_control;
       const PeriodicMethodType         method   = periodic.method;
 
-      const bool elastic     = scene.material.viscosity == ViscosityType::none;
-      const bool adaptive    = control == StepControlType::adaptive;
-      const bool direct      = method == PeriodicMethodType::fourier;
-      const bool automatic   = method == PeriodicMethodType::automatic;
-      const std::string none = "[Material] Viscosity = none";
+      const bool elastic = scene.material.viscosity == ViscosityType::none;
+      const bool has_friction =
+        resolve_roles(scene.boundary, built_in_roles(scene.geometry))
+          .has_friction;
+      const bool        adaptive   = control == StepControlType::adaptive;
+      const bool        direct     = method == PeriodicMethodType::fourier;
+      const bool        automatic  = method == PeriodicMethodType::automatic;
+      const std::string none       = "[Material] Viscosity = none";
       const std::string of_control = "Step control = " + name_of(control);
       const std::string of_scheme  = "Scheme = " + name_of(time.scheme);
       const std::string of_method  = "Method = " + name_of(method);
@@ -178,9 +181,11 @@ namespace Crevasse
            time.scheme != Scheme::automatic,
          "[Periodic state] " + of_method + " uses the trapezoidal rule"},
         {"Periodic state/Secular split, Harmonics", elastic, none},
-        {"Periodic state/Method", elastic, none + ", one period is enough"},
+        {"Periodic state/Method",
+         elastic && !has_friction,
+         none + ", one period is enough"},
         {"Periodic state/Maximum periods",
-         elastic && periodic.maximum_periods > 1,
+         elastic && !has_friction && periodic.maximum_periods > 1,
          none + ", one period is enough"},
         {"Periodic state/Harmonics", !direct && !automatic, of_method},
         {"Periodic state/Anderson depth",

@@ -13,9 +13,11 @@ namespace Crevasse
   template <int dim>
   FrictionTable<dim>::FrictionTable(const Body<dim>   &body,
                                     const std::string &file_name,
+                                    const double       tolerance,
                                     Log               &log)
     : body(body)
     , file_name(file_name)
+    , tolerance(tolerance)
     , log(log)
   {
     const auto &nodes = body.space.lip.nodes;
@@ -117,6 +119,8 @@ namespace Crevasse
   {
     if (period[moment].pairs[pair].closed == 0.)
       return 0.;
+    if (moment > 0 && period[moment - 1].pairs[pair].closed == 0.)
+      return 1.; // it moved while it was open
     // The first sample shows the slip towards the next one.
     const std::size_t begin = moment == 0 ? 0 : moment - 1;
     if (begin + 1 == period.size())
@@ -166,7 +170,8 @@ namespace Crevasse
   {
     write();
     double      work = 0., longest = 0., net = 0.;
-    std::size_t where = 0;
+    std::size_t where  = 0;
+    bool        closes = false;
     for (std::size_t p = 0; p < places.size(); ++p)
       {
         const auto &node = body.space.lip.nodes[places[p]];
@@ -176,10 +181,11 @@ namespace Crevasse
             const Pair &begin = period[m - 1].pairs[p];
             const Pair &end   = period[m].pairs[p];
             const auto  step  = slip(p, period[m - 1], period[m]);
-            // Slip ends an increment: its force acts along all of it.
+            // The mean of both ends is of second order in the step.
             for (unsigned int c = 0; c < dim - 1; ++c)
               work -= 0.5 * (begin.traction[c] + end.traction[c]) * step[c] *
                       node.weight;
+            closes = closes || begin.closed + end.closed > 0.;
             if (begin.closed + end.closed == 2.)
               path += step.norm();
           }
@@ -190,9 +196,11 @@ namespace Crevasse
           }
         net = std::max(net, slip(p, period.front(), period.back()).norm());
       }
-    const std::string kind         = longest <= least       ? "shakedown"
-                                     : net > 1e-3 * longest ? "ratchetting"
-                                                            : "alternating slip";
+    const std::string kind         = !closes            ? "open"
+                                     : longest <= least ? "shakedown"
+                                     : net > std::max(1e-3, 10. * tolerance) * longest
+                                       ? "ratchetting"
+                                       : "alternating slip";
     Summary          &friction     = summary["friction"];
     friction["dissipation"]        = work;
     friction["largest_slip_range"] = longest;
@@ -202,7 +210,8 @@ namespace Crevasse
       return;
     log.line(
       "  friction: " + kind +
-      (longest <= least
+      (!closes ? ", no lips touch in the period"
+       : longest <= least
          ? ", closed lips stick throughout the period"
          : ", lips slide by up to " + Text::from_number(longest, 3) +
              " per period while closed, at " +

@@ -214,7 +214,7 @@ namespace Crevasse
     if (!body.effects.viscosity.on)
       return "without viscosity nothing flows";
     if (body.friction)
-      return "closed lips with friction hold the body against a flow";
+      return "with friction the flow depends on how the lips slide";
     if (body.law.has_spring())
       return "the elastic spring of the chain bears the mean load";
     if (body.law.creep != nullptr)

@@ -57,17 +57,16 @@ namespace Crevasse
       const bool flows     = scene.material.creep_law() != nullptr ||
                          Utilities::MPI::min(least_dilatation<dim>(viscous),
                                              communicator) < almost_none;
-      if (is_rubber ? scene.discretisation.degree > 1 : !flows)
+      if (!flows && !(is_rubber && scene.discretisation.degree == 1))
         return;
       all.push_back(
         {"mesh",
          "elements lock; take Volumetric strain = mean",
-         (is_rubber
-            ? "[Material]: the elastic strain nearly"
-            : "[Material] Viscosity = " + name_of(scene.material.viscosity)) +
+         (flows ? "[Material] Viscosity = " + name_of(scene.material.viscosity)
+                : "[Material]: the elastic strain nearly") +
            " preserves volume, so that elements lock: set [Discretisation] "
            "Volumetric strain = mean and Degree = 1" +
-           (is_rubber ? ", or Degree = 2" : "")});
+           (flows ? "" : ", or Degree = 2")});
     }
 
 
@@ -121,7 +120,7 @@ namespace Crevasse
 
 
     /** Warns of materials that jump within cells: quadrature puts the interface
-     * somewhere else in each mesh, by chance at one place in two. */
+     * somewhere else in each mesh, and by chance two meshes agree. */
     template <int dim>
     void
     find_jumps_in_cells(const Run<dim> &run, std::vector<CommonError> &all)

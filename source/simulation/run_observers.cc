@@ -117,9 +117,11 @@ namespace Crevasse
       void
       add_friction()
       {
-        add(std::make_unique<FrictionTable<dim>>(body,
-                                                 path("friction.csv"),
-                                                 run.log));
+        add(std::make_unique<FrictionTable<dim>>(
+          body,
+          path("friction.csv"),
+          run.scene.periodic_state.tolerance,
+          run.log));
       }
 
       /** @param closure of the lip; null without contact. */

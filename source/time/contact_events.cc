@@ -84,8 +84,11 @@ namespace Crevasse
               ++given_up;
             if (estimates_error)
               *step.error += to.error;
-            step.f.commit();
-            step.f.switching_functions(to.functions);
+            if (to.functions.size() > 1) // with friction
+              {
+                step.f.commit();
+                step.f.switching_functions(to.functions);
+              }
             if (to.t == end)
               break;
             std::swap(from, to);
@@ -172,8 +175,8 @@ namespace Crevasse
         f.switching_functions(to.functions);
       }
 
-      /** Sets the side of each function at `from`: 1 open, −1 closed, 0 if it
-       * switches at `from` and is not watched on the way to `to`.
+      /** Sets the side of each function at `from`: 1 positive, −1 negative, 0
+       * if it switches at `from` and is not watched on the way to `to`.
        *
        * @param shortest interval that counts as one instant. */
       void

@@ -313,8 +313,8 @@ namespace Crevasse
                   const bool                has_contact,
                   const bool                has_friction)
   {
-    // Without events, friction leaves every scheme of order 1. A step that they
-    // shorten must not cost a factorisation.
+    // Without events, friction leaves every scheme of order 1. A step that
+    // events shorten must not cost a factorisation.
     if (has_friction && parameters.scheme == Scheme::automatic)
       {
         parameters.scheme                = Scheme::exponential;

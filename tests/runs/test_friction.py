@@ -304,6 +304,8 @@ def test_refused():
             (["Linear solver/Type=amg"], "needs a factorisation"),
             (["Contact/Solver=active set"], "is for contact without friction"),
             (["Discretisation/Singular functions=1"], "slide on the lips"),
+            (["Crack tip/Method=williams fit"], "for lips without shear"),
+            (["Crack tip/Creep integral=true"], "does not include"),
             (["Boundary/Friction coefficient=x"], "must be at least 0")):
         status, _, error = execute(
             "shield.prm", "--output", "results/refused",

@@ -123,7 +123,7 @@ namespace Crevasse
     solve_by_lemke(const LipVector &loads, const Increment &increment);
 
     const std::vector<Pair> pairs;
-    LipVector               fixed, right_hand_side, forces;
+    LipVector               fixed, right_hand_side;
     unsigned int            rescues = 0;
   };
 } // namespace Crevasse

@@ -46,14 +46,14 @@ namespace Crevasse
     /**
      * @param[in,out] on_lip loads; then displacements.
      * @param accuracy of forces that is enough.
-     * @param negligible force that stops no motion.
+     * @param negligible_force stops no motion.
      * @return the number of sets tried.
      * @throw NumericalError if the loads do work on an unconstrained motion
      * that no bound stops. */
     unsigned int
     solve(LipVector        &on_lip,
           const double      accuracy,
-          const double      negligible,
+          const double      negligible_force,
           const LipProblem &solve_lip);
 
     /** Number of solutions whose forces leave a motion possible. */

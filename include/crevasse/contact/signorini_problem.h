@@ -96,6 +96,10 @@ namespace Crevasse
     std::vector<double>
     springs() const;
 
+    /** Values of all bounds from those of each rank. Collective. */
+    dealii::Vector<double>
+    of_all(const std::vector<double> &local) const;
+
     /** Number of contact bounds on all ranks. */
     dealii::types::global_dof_index
     n_bounds() const

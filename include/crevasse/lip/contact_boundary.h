@@ -125,6 +125,12 @@ namespace Crevasse
     std::vector<double>
     opening_rates(const Vector &velocity) const;
 
+    MPI_Comm
+    communicator() const
+    {
+      return dof_handler.get_communicator();
+    }
+
     /** Least u_N at a point of the lip. @throw SceneError if it is not finite
      * or positive. */
     double

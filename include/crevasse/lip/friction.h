@@ -21,7 +21,7 @@ namespace Crevasse
              const Temperature<dim>     &temperature,
              const Expression           &coefficient);
 
-    /** Sets the coefficients of an instant.
+    /** Sets the coefficients of an instant. Collective.
      * @throw SceneError with point and instant if one is negative. */
     void
     evaluate(const double t, FrictionState &state) const;

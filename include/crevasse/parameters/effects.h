@@ -62,7 +62,7 @@ namespace Crevasse
   std::vector<Expression>
   viscosity_formulas(const MaterialParameters &material);
 
-  /** Formulas of stiffness, viscosity and free strains that vary with place. */
+  /** Formulas of stiffness, viscosity and free strains. */
   std::vector<Expression>
   material_formulas(const MaterialParameters &material);
 

@@ -157,7 +157,9 @@ namespace Crevasse
       "nonlinear creep. \"arkode explicit\" and \"arkode implicit\" are "
       "methods of the library ARKODE, of the Order given. \"automatic\" is "
       "\"trapezoid\" where all instants are solved for "
-      "at once (see Periodic state/Method), otherwise \"sdirk2\".";
+      "at once (see Periodic state/Method), otherwise \"sdirk2\"; with "
+      "friction and linear "
+      "creep \"exponential\", with located contact events.";
   };
 
   /** Method to choose the instants at which time steps end. */

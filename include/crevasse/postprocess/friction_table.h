@@ -23,9 +23,11 @@ namespace Crevasse
   {
   public:
     /** Collective. References must outlive the FrictionTable.
-     * @param file_name empty on ranks that do not write. */
+     * @param file_name empty on ranks that do not write.
+     * @param tolerance of the periodic stress, which leaves some net slip. */
     FrictionTable(const Body<dim>   &body,
                   const std::string &file_name,
+                  const double       tolerance,
                   Log               &log);
 
     void
@@ -75,6 +77,7 @@ namespace Crevasse
 
     const Body<dim>          &body;
     const std::string         file_name;
+    const double              tolerance;
     Log                      &log;
     std::vector<unsigned int> places;       ///< numbers of nodes in LipBasis
     std::vector<Moment>       period;       ///< samples of the last period

@@ -84,7 +84,7 @@ namespace Crevasse
       /** Rates less the mean rate of the step, 0 where they are far from it, as
        * of branches that relax within the step. Empty until they are needed. */
       Vector rate_at_begin = {}, rate_at_end = {};
-      /** Tangential jumps from which friction counts; empty without it. */
+      /** Tangential jumps from which slip counts; empty without friction. */
       std::vector<std::vector<double>> committed = {};
     };
 
@@ -142,7 +142,7 @@ namespace Crevasse
     std::vector<Moment> period; ///< moments of last period
     std::vector<Change> changes;
     Vector              strain; ///< at the last sample, or last solved for
-    /** Jumps from which friction counts after the last sample. */
+    /** Jumps from which slip counts after the last sample. */
     std::vector<std::vector<double>> committed;
   };
 } // namespace Crevasse

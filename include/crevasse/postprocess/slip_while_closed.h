@@ -80,9 +80,8 @@ namespace Crevasse
       if (*largest > some * size)
         log.line("  closed lips slide on each other by up to " +
                  Text::from_number(*largest, 3) + " per period, at " +
-                 Text::from_point(where) +
-                 "; friction would matter there: [Boundary] Friction "
-                 "coefficient");
+                 Text::from_point(where) + "; friction would matter there" +
+                 (dim == 2 ? ": [Boundary] Friction coefficient" : ""));
     }
 
   private:

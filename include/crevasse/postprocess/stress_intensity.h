@@ -172,7 +172,7 @@ namespace Crevasse
     {
       return !region.tip.two_lips && !body.space.roles.has_axis &&
              !first_elasticity.anisotropic &&
-             !body.space.roles.has_loaded_lip();
+             !body.space.roles.has_loaded_lip() && !body.friction;
     }
 
     double

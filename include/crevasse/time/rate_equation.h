@@ -74,8 +74,8 @@ namespace Crevasse
     virtual std::size_t
     n_evaluations() const = 0;
 
-    /** Ends an increment of friction with the last evaluation: its jumps are
-     * those that resist from now on. Evaluating it again gives the same. */
+    /** Ends an increment of friction with the last evaluation: slip counts from
+     * its jumps from now on. Evaluating it again gives the same. */
     virtual void
     commit()
     {

@@ -72,10 +72,12 @@ class BarsOfTry(Bars):
     def in_time(self, times):
         """Steps so many times as short as the scene's, beside those of twice the length;
         the scene's own beside those of half the length."""
+        self.time, self.why_no_time = None, self.no_limit("time")
+        if self.why_no_time:
+            return
         scene = self.runs.scene_parameters
         coarsest = min(self.runs.meshes, key=lambda mesh: mesh.times).settings
         one, other = (steps(scene, k) for k in (times, max(times // 2, 2 // times)))
-        self.time = None
         base, self.why_no_time = self.companion(f"steps_{times}", coarsest | one.settings)
         if base:
             run, self.why_no_time = self.companion(other.name, coarsest | other.settings)

@@ -263,7 +263,7 @@ class Life:
             self.warnings.setdefault(without_numbers(text), text)
         self.describe_transition(found, chosen)
         if not self.is_path:
-            self.warn_of_turn()
+            self.warn_of_turn(found, chosen)
         life_output.write(self, found, chosen)
         for text in self.warnings.values():
             self.log("  warning: " + text)
@@ -282,8 +282,9 @@ class Life:
                     else "K varies from mesh to mesh: refine them." if self.lengths.geometry
                     else "allow more by finer Subdivisions."))
 
-    def warn_of_turn(self):
-        turning = [node for node in self.nodes.values() if abs(node.angle) > LARGEST_KINK]
+    def warn_of_turn(self, found, chosen):
+        turning = [node for k in chosen if abs((node := self.nodes[0, k]).angle)
+                   > LARGEST_KINK and node.a <= found.end]
         if turning:
             first = min(turning, key=lambda node: node.a)
             self.warnings["turn"] = (
