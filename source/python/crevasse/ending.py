@@ -49,7 +49,9 @@ def finished(run):
     periods = plural(run.summary.get("periods", 0), "period")
     tolerance = run.parameter("Periodic state/Tolerance")
     if converged:
-        if not run.summary.get("effects", {}).get("viscosity", {}).get("on", 1):
+        effects = run.summary.get("effects", {})
+        if not (effects.get("viscosity", {}).get("on", 1)
+                or effects.get("friction", {}).get("on", 0)):
             return Ending("good", "Done: the body is elastic, one period is enough",
                           [])
         quantity = run.parameter("Periodic state/Converged quantity") or "stress"

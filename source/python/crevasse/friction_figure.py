@@ -10,7 +10,7 @@ import numpy
 from crevasse.plotting import BLUE, GREY, VERMILION
 
 # States of friction.csv, in the order of their colours.
-STATES = {-2: ("slides back", VERMILION), 0: ("open", "white"), 1: ("sticks", GREY),
+STATES = {-2: ("slides back", VERMILION), 0: ("open", "#e8e8e8"), 1: ("sticks", GREY),
           2: ("slides forth", BLUE)}
 
 
@@ -34,7 +34,8 @@ def over_time(run):
         axes.pcolormesh(instants, distance[order], numbers.T, shading="nearest",
                         cmap=ListedColormap([colour for _, colour in STATES.values()]),
                         vmin=-0.5, vmax=len(STATES) - 0.5)
-        axes.set(ylabel=run.in_units("distance along the lip (length)"),
+        begin = ", ".join(f"{x:.4g}" for x in far)
+        axes.set(ylabel=run.in_units(f"distance from ({begin}) (length)"),
                  title=f"lip {lip:g}" if len(lips) > 1 else "")
     panels[-1, 0].set_xlabel(run.in_units("t (time)"))
     panels[0, 0].legend(handles=[patches.Patch(facecolor=colour, edgecolor=GREY, label=name)

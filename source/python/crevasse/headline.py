@@ -51,7 +51,10 @@ def bars_by_label(run, tip):
     for name, entry in run.summary.get("bars", {}).items():
         if findings.is_finding(name) and findings.split(name)[1] in (tip, None):
             label = findings.FINDINGS[findings.split(name)[0]].label
-            bars["ΔK_I" if label == "ΔK" else label] = entry.get("bar")
+            tips = run.summary.get("crack_tips", [run.summary.get("crack_tip", {})])
+            several_modes = any("Delta_K_I" in of_tip for of_tip in tips)
+            bars["equivalent ΔK" if several_modes and label == "ΔK" else
+                 "ΔK_I" if label == "ΔK" else label] = entry.get("bar")
     return bars
 
 
