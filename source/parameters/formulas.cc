@@ -136,7 +136,7 @@ namespace Crevasse
   {
     return formula_parser("[Boundary] Friction coefficient",
                           Variables::space_time_and_temperature,
-                          Ranges::not_negative,
+                          {0., Ranges::largest, "at least 0"},
                           tables);
   }
 

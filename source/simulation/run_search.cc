@@ -65,8 +65,9 @@ namespace Crevasse
       const unsigned int         point =
         here.entry / QuadratureField<dim>::n_components;
       const bool is_known = here.entry != numbers::invalid_unsigned_int;
-      const bool relaxes  = is_known && body.law.creep == nullptr;
-      double     relaxed  = 0.; // over the period, of the slowest branch
+      const bool relaxes =
+        is_known && body.effects.viscosity.on && body.law.creep == nullptr;
+      double relaxed = 0.; // over the period, of the slowest branch
       for (unsigned int k = 0; relaxes && k < steps.n_steps(); ++k)
         {
           const MaterialState<dim> now = body.material.at(steps.instant(k));
