@@ -230,6 +230,15 @@ namespace Crevasse
           for (std::size_t i = 0; i < std::size(CreepLaw::Constants()); ++i)
             jumps = jumps || factors_differ((*a.creep)[p].constants[i],
                                             (*b.creep)[p].constants[i]);
+      if (body.friction)
+        {
+          FrictionState at_t, at_before;
+          body.friction->evaluate(t, at_t);
+          body.friction->evaluate(before, at_before);
+          for (std::size_t k = 0; k < at_t.coefficients.size(); ++k)
+            jumps = jumps || factors_differ(at_t.coefficients[k],
+                                            at_before.coefficients[k]);
+        }
       return dealii::Utilities::MPI::max(jumps ? 1 : 0,
                                          body.space.communicator()) == 1;
     }

@@ -206,6 +206,23 @@ end
             check_close(slides, -math.log(0.4 / 0.7), 0.01, "instant at which it slides")
 
 
+def test_jump():
+    """A coefficient that jumps acts from its instant on, not within the step before: as
+    one that jumps just after the step."""
+    text = scene("jump", "1", "0.8*sin(2*pi*t)", """
+subsection Periodic state
+  set Maximum periods = 2
+  set Tolerance       = 0
+end
+""", viscosity="chain\n  set Chain = 0.7: 0.3", n=5)
+    at, after = (run(text, f"jump_{k}", [friction(f"if(t<0.5{k},0.2,0.7)"),
+                                         "Time integration/Steps per period=20"])
+                 for k in ("", "+1e-9"))
+    K = [dict(zip((round(t, 6) for t in results.table("crack_tip_1.csv")["t"]),
+                  sliding(results), strict=True)) for results in (at, after)]
+    check_close(K[0][1.55], K[1][1.55], 1e-6, "K_II after the jump")
+
+
 # Pressures that vary along the crack, so that pairs slide and open one by one.
 ORDERS = {"pressed": ("1 + 0.5*sin(2*pi*t) + 0.4*x", "0.5*cos(2*pi*t)"),
           "opening": ("0.4 + sin(2*pi*t) + 0.4*x", "0.5*cos(2*pi*t)"),
@@ -315,6 +332,6 @@ def test_refused():
 
 
 for test in (test_shielding, test_no_friction, test_pulsating_compression,
-             test_partial_slip, test_memory, test_relaxation, test_order, test_rigid_plane,
-             test_refused):
+             test_partial_slip, test_memory, test_relaxation, test_jump, test_order,
+             test_rigid_plane, test_refused):
     test()
