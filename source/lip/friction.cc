@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Crevasse authors
 
-#include <crevasse/base/collectively.h>
 #include <crevasse/base/problems.h>
 #include <crevasse/base/text.h>
 #include <crevasse/lip/friction.h>
@@ -32,22 +31,19 @@ namespace Crevasse
       return;
     const bool by_temperature = coefficient.depends_on("theta");
     state.coefficients.resize(lip.nodes.size());
-    // One rank may have all nodes.
-    collectively(lip.communicator(), [&]() {
-      for (unsigned int k = 0; k < lip.nodes.size(); ++k)
-        {
-          const Point<dim> &point = lip.nodes[k].point;
-          const double      mu    = coefficient.value(Place<dim>{
-                    point, t, by_temperature ? temperature.value(point, t) : 0.});
-          if (mu < 0.)
-            throw SceneError(
-              "[Boundary] Friction coefficient = " + coefficient.formula() +
-              ": is " + Text::from_number(mu, 6) + " at " +
-              Text::from_point(point) + " and t = " + Text::from_number(t, 6) +
-              "; it must be at least 0.");
-          state.coefficients[k] = mu;
-        }
-    });
+    for (unsigned int k = 0; k < lip.nodes.size(); ++k)
+      {
+        const Point<dim> &point = lip.nodes[k].point;
+        const double      mu    = coefficient.value(Place<dim>{
+                  point, t, by_temperature ? temperature.value(point, t) : 0.});
+        if (mu < 0.)
+          throw SceneError(
+            "[Boundary] Friction coefficient = " + coefficient.formula() +
+            ": is " + Text::from_number(mu, 6) + " at " +
+            Text::from_point(point) + " and t = " + Text::from_number(t, 6) +
+            "; it must be at least 0.");
+        state.coefficients[k] = mu;
+      }
   }
 
 
