@@ -459,6 +459,7 @@ def test_interrupted():
     check_below(abs(table["N"] - other["N"]).max() / whole["N"], 1e-9, "the same life")
 
 
+@full
 def test_parallel():
     words = ["--from", "0.2", "--to", "0.6", *COARSE, "--error", "0.5"]
     one, _, _ = life("one", *words)
