@@ -8,7 +8,7 @@
 // creeps by ṙ = (q / 2 − r) / τ and must stay above a floor, q ≥ −0.05. It is
 // pulled down and up once a period. Which r repeats?
 
-#include <crevasse/contact/condensed_active_set.h>
+#include <crevasse/contact/condensed_solver.h>
 #include <crevasse/linear/cholesky.h>
 #include <crevasse/time/anderson_acceleration.h>
 
@@ -113,7 +113,7 @@ namespace
     const UnilateralBounds bounds;
     const SignoriniProblem problem;
     Cholesky               cholesky;
-    CondensedActiveSet     contact;
+    CondensedSolver        contact;
     Vector                 q, b;
     std::vector<double>    forces;
   };

@@ -5,6 +5,7 @@
 #include <crevasse/contact/certificate.h>
 
 #include <deal.II/base/mpi.h>
+#include <deal.II/base/tensor.h>
 
 #include <algorithm>
 #include <cmath>
@@ -98,23 +99,23 @@ namespace Crevasse
 
   namespace
   {
-    /** Violation of Coulomb's law at a bound.
+    /** Violation of Coulomb's law at a bound: the distance of g_T to the
+     * nearest allowed force to g_T − δ. In the plane it is max(|g_T| − μg,
+     * min(|δ|, |g_T + μg sign δ|)); in space the direction of a slip that is
+     * hardly more than rounding counts no more than the slip itself.
      *
-     * @param forces g_T along each tangent, relative to the scale of forces.
+     * @param force g_T along the tangents, relative to the scale of forces.
      * @param limit μg, alike.
-     * @param slip q_T − q_T^ref, relative to the scale of displacements. */
+     * @param slip δ, relative to the scale of displacements. */
     double
-    violation_of_friction(const std::array<double, 2> &forces,
-                          const double                 limit,
-                          const std::array<double, 2> &slip)
+    violation_of_friction(const Tensor<1, 2> &force,
+                          const double        limit,
+                          const Tensor<1, 2> &slip)
     {
-      const double size   = std::hypot(slip[0], slip[1]);
-      double       square = 0.;
-      for (const unsigned int c : {0, 1})
-        square +=
-          std::pow(forces[c] + (size > 0. ? limit * slip[c] / size : 0.), 2);
-      return std::max(std::hypot(forces[0], forces[1]) - limit,
-                      std::min(size, std::sqrt(square)));
+      Tensor<1, 2> allowed = force - slip;
+      if (const double size = allowed.norm(); size > limit)
+        allowed *= limit / size;
+      return (force - allowed).norm();
     }
 
 
@@ -137,13 +138,13 @@ namespace Crevasse
       double worst = 0.;
       for (unsigned int k = 0; k < bounds.dofs.size(); ++k)
         {
-          std::array<double, 2> forces{}, slip{};
+          Tensor<1, 2> force, slip;
           for (std::size_t c = 0; c < n; ++c)
             if (const auto i = bounds.tangents[c][k];
                 i != numbers::invalid_dof_index)
               {
                 contact_forces.tangential[c][k] = residual(i);
-                forces[c]                       = residual(i) / scales.force();
+                force[c]                        = residual(i) / scales.force();
                 slip[c] = (candidate.solution(i) - friction.reference[c][k]) /
                           scales.displacement();
                 residual(i) = 0.;
@@ -151,7 +152,7 @@ namespace Crevasse
           const double limit = friction.coefficients[k] *
                                std::max(contact_forces.normal[k], 0.) /
                                scales.force();
-          worst = std::max(worst, violation_of_friction(forces, limit, slip));
+          worst = std::max(worst, violation_of_friction(force, limit, slip));
         }
       return worst;
     }

@@ -17,8 +17,8 @@ namespace Crevasse
                                      const LipVector                &sign,
                                      const LipVector                &gap,
                                      const Extrapolation &extrapolation)
-    : closed(stiffness.m(), false)
-    , factor(stiffness)
+    : ProblemOnLip(stiffness)
+    , closed(stiffness.m(), false)
     , n(stiffness.m())
     , sign(sign)
     , gap(gap)

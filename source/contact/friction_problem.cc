@@ -2,12 +2,14 @@
 // Copyright (C) 2026 by the Crevasse authors
 
 #include <crevasse/base/problems.h>
+#include <crevasse/base/state_archive.h>
 #include <crevasse/contact/friction_problem.h>
-#include <crevasse/contact/lemke.h>
 
 #include <deal.II/lac/solver_control.h>
 #include <deal.II/lac/solver_gmres.h>
 
+#include <Teuchos_LAPACK.hpp>
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <set>
@@ -20,321 +22,377 @@ namespace Crevasse
   {
     constexpr double rounding = 100. * std::numeric_limits<double>::epsilon();
 
-    /** 1 where a pair slips along the tangent, −1 against it, 0 elsewhere. */
-    double
-    direction(const SlipState state)
+
+
+    /** Slip against a trial force that is not 0 and not below its limit. */
+    FrictionProblem::State
+    slide(const Tensor<1, 2> &trial, const double limit, const double stiffness)
     {
-      return state == SlipState::forward    ? 1.
-             : state == SlipState::backward ? -1.
-                                            : 0.;
+      // As a pair begins to slide, its direction changes more and more easily.
+      // A stiffer spring would not save steps, but cost digits.
+      constexpr double stiffest = 1e4;
+      const double     size = trial.norm(), excess = size - limit;
+      return {SlipState::slip,
+              -trial / size,
+              stiffness *
+                (limit < stiffest * excess ? limit / excess : stiffest)};
     }
 
 
 
-    SlipState
-    slip(const bool is_forward)
+    /** The equations of states: those of Σ on the free unknowns, but where a
+     * pair slides along d, the row of each tangent has d μ times that of the
+     * normal, and the spring across d. */
+    struct Equations
     {
-      return is_forward ? SlipState::forward : SlipState::backward;
-    }
+      const LAPACKFullMatrix<double>            &stiffness;
+      const std::vector<FrictionProblem::Pair>  &pairs;
+      const std::vector<FrictionProblem::State> &states;
+      const std::vector<double>                 &coefficients;
+      const std::vector<bool>                   &is_free;
 
-
-
-    /** Largest |v_i| w_i, but not 0. */
-    double
-    largest(const dealii::Vector<double>          &v,
-            const std::function<double(unsigned)> &w)
-    {
-      double size = 1e-300;
-      for (unsigned int i = 0; i < v.size(); ++i)
-        size = std::max(size, std::abs(v(i)) * w(i));
-      return size;
-    }
-  } // namespace
-
-
-
-  FrictionProblem::FrictionProblem(const LAPACKFullMatrix<double> &stiffness,
-                                   const std::vector<Pair>        &pairs)
-    : states(pairs.size(), SlipState::stick)
-    , factor(stiffness)
-    , pairs(pairs)
-    , fixed(stiffness.m())
-    , right_hand_side(stiffness.m())
-  {
-    unsigned int n_unknowns = 0;
-    for (const Pair &pair : pairs)
-      n_unknowns += pair.may_slide() ? 2 : 1;
-    AssertThrow(n_unknowns == stiffness.m(),
-                ExcMessage("Each unknown of the lip belongs to one pair."));
-  }
-
-
-
-  unsigned int
-  FrictionProblem::solve(const LipVector &loads,
-                         const Increment &increment,
-                         LipVector       &jumps)
-  {
-    std::set<std::vector<SlipState>> seen;
-    bool                             is_rescued = false;
-    for (unsigned int n_sets = 1;; ++n_sets)
-      {
-        solve_with_states(loads, increment, jumps);
-        std::vector<SlipState> next = next_states(loads, increment, jumps);
-        if (next == states || is_rescued)
-          return n_sets;
-        // More sets than any problem needed: those of CondensedProblem.
-        const std::size_t enough = 100 * (pairs.size() + 10);
-        if (seen.insert(states).second && n_sets < enough)
-          states = std::move(next);
-        else
-          {
-            solve_by_lemke(loads, increment);
-            is_rescued = true;
-          }
-      }
-  }
-
-
-
-  void
-  FrictionProblem::solve_with_states(const LipVector &loads,
-                                     const Increment &increment,
-                                     LipVector       &jumps)
-  {
-    // A slipping pair has the row of its tangent plus s μ times that of its
-    // normal; for others, the matrix on the free unknowns is that of Σ.
-    struct Rows
-    {
+      /** Calls f(pair, tangent) for all tangents along which pairs slide. */
+      template <typename Function>
       void
-      add_normal_rows(LipVector &v, const LipVector &of_all) const
+      for_each_slip(const Function &f) const
       {
-        for (unsigned int i = 0; i < problem.pairs.size(); ++i)
-          if (const double s = direction(problem.states[i]); s != 0.)
-            v(problem.pairs[i].tangent) +=
-              s * increment.coefficients[i] * of_all(problem.pairs[i].normal);
+        for (unsigned int i = 0; i < pairs.size(); ++i)
+          for (const unsigned int c : {0, 1})
+            if (states[i].kind == SlipState::slip && pairs[i].has(c))
+              f(i, c);
       }
+
+      /** Factor of the slip along tangent e in the spring's force along c. */
+      double
+      spring(const unsigned int i,
+             const unsigned int c,
+             const unsigned int e) const
+      {
+        const auto &d = states[i].direction;
+        return states[i].spring * ((c == e ? 1. : 0.) - d[c] * d[e]);
+      }
+
       void
-      restrict_to_free(LipVector &v) const
+      add_normal_rows(dealii::Vector<double>       &v,
+                      const dealii::Vector<double> &of_all) const
+      {
+        for_each_slip([&](const unsigned int i, const unsigned int c) {
+          v(pairs[i].tangents[c]) +=
+            states[i].direction[c] * coefficients[i] * of_all(pairs[i].normal);
+        });
+      }
+
+      void
+      restrict_to_free(dealii::Vector<double> &v) const
       {
         for (unsigned int j = 0; j < v.size(); ++j)
           if (!is_free[j])
             v(j) = 0.;
       }
+
+      /** In the plane, where no springs are. */
       void
-      vmult(LipVector &result, const LipVector &x) const
+      vmult(dealii::Vector<double>       &result,
+            const dealii::Vector<double> &x) const
       {
-        problem.factor.matrix.vmult(result, x);
-        add_normal_rows(result, LipVector(result));
+        stiffness.vmult(result, x);
+        add_normal_rows(result, dealii::Vector<double>(result));
         restrict_to_free(result);
       }
-      const FrictionProblem   &problem;
-      const Increment         &increment;
-      const std::vector<bool> &is_free;
+
+      /** Solves by elimination. @param A work space. @return false if the
+       * equations have no unique solution. */
+      bool
+      solve(dealii::Vector<double> &x, std::vector<double> &A) const
+      {
+        std::vector<unsigned int> free, place(x.size());
+        for (unsigned int j = 0; j < x.size(); ++j)
+          if (is_free[j])
+            {
+              place[j] = free.size();
+              free.push_back(j);
+            }
+        const std::size_t n = free.size();
+        A.resize(n * n);
+        for (unsigned int b = 0; b < n; ++b)
+          for (unsigned int a = 0; a < n; ++a)
+            A[n * b + a] = stiffness(free[a], free[b]);
+        for_each_slip([&](const unsigned int i, const unsigned int c) {
+          const unsigned int a      = place[pairs[i].tangents[c]];
+          const double       factor = states[i].direction[c] * coefficients[i];
+          for (unsigned int b = 0; b < n; ++b)
+            A[n * b + a] += factor * stiffness(free[b], pairs[i].normal);
+          for (const unsigned int e : {0, 1})
+            if (pairs[i].has(e))
+              A[n * place[pairs[i].tangents[e]] + a] += spring(i, c, e);
+        });
+        std::vector<double> of_free;
+        for (const unsigned int j : free)
+          of_free.push_back(x(j));
+        std::vector<int> pivots(n);
+        int              info = 0;
+        Teuchos::LAPACK<int, double>().GESV(
+          n, 1, A.data(), n, pivots.data(), of_free.data(), n, &info);
+        for (unsigned int a = 0; a < n; ++a)
+          x(free[a]) = of_free[a];
+        return info == 0;
+      }
     };
+
+
+
     struct Preconditioner
     {
       void
-      vmult(LipVector &result, const LipVector &x) const
+      vmult(dealii::Vector<double>       &result,
+            const dealii::Vector<double> &x) const
       {
         result = x;
         factor.solve(result);
       }
       PrincipalFactor &factor;
     };
+  } // namespace
 
-    std::vector<bool> is_free(loads.size(), true);
-    bool              has_slip = false;
-    fixed                      = 0.;
+
+
+  FrictionProblem::FrictionProblem(const LAPACKFullMatrix<double> &stiffness,
+                                   const std::vector<Pair>        &pairs)
+    : ProblemOnLip(stiffness)
+    , pairs(pairs)
+    , states(pairs.size())
+    , in_plane(std::none_of(pairs.begin(),
+                            pairs.end(),
+                            [](const Pair &pair) { return pair.has(1); }))
+    , fixed(stiffness.m())
+    , right_hand_side(stiffness.m())
+  {
+    unsigned int n_unknowns = 0;
+    for (const Pair &pair : pairs)
+      n_unknowns += 1 + pair.n_tangents();
+    AssertThrow(n_unknowns == stiffness.m(),
+                ExcMessage("Each unknown of the lip belongs to one pair."));
+  }
+
+
+
+  std::vector<bool>
+  FrictionProblem::closed_pairs() const
+  {
+    std::vector<bool> closed;
+    for (const State &state : states)
+      closed.push_back(state.kind != SlipState::open);
+    return closed;
+  }
+
+
+
+  void
+  FrictionProblem::start_from(const std::vector<bool> &closed_pairs)
+  {
+    for (unsigned int i = 0; i < states.size(); ++i)
+      states[i] = {closed_pairs[i] ? SlipState::stick : SlipState::open,
+                   {},
+                   0.};
+  }
+
+
+
+  void
+  FrictionProblem::serialize(StateArchive &archive)
+  {
+    std::vector<unsigned int> kinds;
+    std::vector<double>       slips;
+    for (const State &state : states)
+      {
+        kinds.push_back(static_cast<unsigned int>(state.kind));
+        slips.insert(slips.end(),
+                     {state.direction[0], state.direction[1], state.spring});
+      }
+    archive.common(kinds);
+    archive.common(slips);
+    for (unsigned int i = 0; i < kinds.size(); ++i)
+      states[i] = {SlipState(kinds[i]),
+                   Tensor<1, 2>({slips[3 * i], slips[3 * i + 1]}),
+                   slips[3 * i + 2]};
+  }
+
+
+
+  unsigned int
+  FrictionProblem::solve(const LipVector &loads, LipVector &jumps)
+  {
+    // More sets than any problem needed: in the plane those of
+    // CondensedProblem. In space directions need not recur.
+    const std::size_t enough = in_plane ? 100 * (pairs.size() + 10) : 40;
+    // A finer polygon was never needed.
+    constexpr unsigned int       most_directions = 64;
+    std::set<std::vector<State>> seen;
+    unsigned int                 n_directions = 0;
+    for (unsigned int n_sets = 1, last = enough;; ++n_sets)
+      {
+        solve_with_states(loads, jumps);
+        std::vector<State> next = next_states(loads, jumps);
+        if (next == states || (in_plane && n_directions > 0))
+          return n_sets;
+        if (seen.insert(states).second && n_sets < last)
+          {
+            states = std::move(next);
+            continue;
+          }
+        n_directions = n_directions > 0 ? 2 * n_directions : in_plane ? 2 : 4;
+        if (n_directions > most_directions)
+          throw NumericalError(
+            "The friction of " + std::to_string(pairs.size()) +
+            " pairs of nodes has no solution that could be found in " +
+            std::to_string(n_sets) +
+            " sets: its stiffness is too ill-conditioned, or the coefficient "
+            "too large. Check the moduli of [Material] and the mesh, or lower "
+            "[Boundary] Friction coefficient.");
+        solve_by_lemke(loads, n_directions);
+        seen.clear();
+        last = n_sets + enough;
+      }
+  }
+
+
+
+  bool
+  FrictionProblem::fix_unknowns(std::vector<bool> &is_free)
+  {
+    bool has_slip = false;
+    fixed         = 0.;
     for (unsigned int i = 0; i < pairs.size(); ++i)
-      if (states[i] != SlipState::open)
+      if (states[i].kind != SlipState::open)
         {
+          const bool slides        = states[i].kind == SlipState::slip;
           is_free[pairs[i].normal] = false;
           fixed(pairs[i].normal)   = pairs[i].gap;
-          if (states[i] == SlipState::stick && pairs[i].may_slide())
-            {
-              is_free[pairs[i].tangent] = false;
-              fixed(pairs[i].tangent)   = increment.reference[i];
-            }
-          has_slip = has_slip || (states[i] != SlipState::stick &&
-                                  increment.coefficients[i] != 0.);
+          for (const unsigned int c : {0, 1})
+            if (pairs[i].has(c))
+              {
+                is_free[pairs[i].tangents[c]] = slides;
+                // In space the springs need the slip itself, not the jump.
+                if (!slides || !in_plane)
+                  fixed(pairs[i].tangents[c]) = increment.reference[c][i];
+              }
+          has_slip = has_slip || (slides && increment.coefficients[i] != 0.);
         }
-    const Rows rows{*this, increment, is_free};
+    return has_slip;
+  }
+
+
+
+  void
+  FrictionProblem::solve_with_states(const LipVector &loads, LipVector &jumps)
+  {
+    std::vector<bool> is_free(loads.size(), true);
+    const bool        has_slip = fix_unknowns(is_free);
+    const Equations   equations{
+      factor.matrix, pairs, states, increment.coefficients, is_free};
     factor.matrix.vmult(right_hand_side, fixed);
     right_hand_side.sadd(-1., loads);
     if (has_slip)
-      rows.add_normal_rows(right_hand_side, LipVector(right_hand_side));
-    rows.restrict_to_free(right_hand_side);
-    factor.choose(is_free);
+      equations.add_normal_rows(right_hand_side, LipVector(right_hand_side));
+    equations.restrict_to_free(right_hand_side);
     jumps = right_hand_side;
-    factor.solve(jumps);
-    if (has_slip)
+    if (has_slip && !in_plane)
+      {
+        // Without a unique solution, other states follow.
+        if (!equations.solve(jumps, elimination))
+          jumps = 0.;
+      }
+    else
+      {
+        factor.choose(is_free);
+        factor.solve(jumps);
+      }
+    if (has_slip && in_plane)
       {
         constexpr unsigned int most = 100;
         IterationNumberControl control(most, 1e-15 * jumps.l2_norm());
         SolverGMRES<LipVector>(control,
                                SolverGMRES<LipVector>::AdditionalData(most + 2))
-          .solve(rows, jumps, right_hand_side, Preconditioner{factor});
+          .solve(equations, jumps, right_hand_side, Preconditioner{factor});
       }
     jumps += fixed;
   }
 
 
 
-  std::vector<SlipState>
+  std::vector<FrictionProblem::State>
   FrictionProblem::next_states(const LipVector &loads,
-                               const Increment &increment,
                                const LipVector &jumps) const
   {
-    const auto  &stiffness = factor.matrix;
-    const double largest   = jumps.linfty_norm();
-    LipVector    forces(loads.size());
-    stiffness.vmult(forces, jumps);
-    forces -= loads;
-    std::vector<SlipState> next = states;
+    Candidate candidate{loads, jumps, LipVector(loads.size()), 0.};
+    factor.matrix.vmult(candidate.forces, jumps);
+    candidate.forces -= loads;
+    candidate.largest = jumps.linfty_norm();
+    for (const auto &along : increment.reference)
+      for (const double jump : along)
+        candidate.largest = std::max(candidate.largest, std::abs(jump));
+    std::vector<State> next;
     for (unsigned int i = 0; i < pairs.size(); ++i)
-      {
-        const unsigned int N = pairs[i].normal;
-        // Without a tangent, that of an unknown which neither moves nor bears.
-        const bool         slides  = pairs[i].may_slide();
-        const unsigned int T       = slides ? pairs[i].tangent : N;
-        const double       mu      = increment.coefficients[i];
-        const double       opening = jumps(N) - pairs[i].gap;
-        const double delta = slides ? jumps(T) - increment.reference[i] : 0.;
-        const double force = slides ? forces(T) : 0.;
-        const double noise =
-          rounding * std::max(std::abs(loads(N)) + stiffness(N, N) * largest,
-                              std::abs(loads(T)) + stiffness(T, T) * largest);
-        if (states[i] == SlipState::open)
-          {
-            if (opening < -rounding * largest)
-              next[i] = stiffness(T, T) * std::abs(delta) <=
-                            -mu * stiffness(N, N) * opening
-                          ? SlipState::stick
-                          : slip(delta > 0.);
-          }
-        else if (forces(N) < -noise)
-          next[i] = SlipState::open;
-        else if (states[i] == SlipState::stick)
-          {
-            if (std::abs(force) > mu * std::max(forces(N), 0.) + noise)
-              next[i] = slip(force < 0.);
-          }
-        else if (direction(states[i]) * delta < -rounding * largest)
-          next[i] = SlipState::stick;
-      }
+      next.push_back(next_state(i, candidate));
     return next;
   }
 
 
 
-  double
-  FrictionProblem::violation(const LipVector &loads,
-                             const Increment &increment,
-                             const LipVector &jumps) const
+  FrictionProblem::State
+  FrictionProblem::next_state(const unsigned int i,
+                              const Candidate   &candidate) const
   {
-    const auto  &stiffness = factor.matrix;
-    const auto   one       = [](unsigned) { return 1.; };
-    const auto   diagonal  = [&](const unsigned i) { return stiffness(i, i); };
-    const double force =
-      std::max(largest(loads, one), largest(jumps, diagonal));
-    const double jump =
-      std::max(largest(jumps, one), largest(loads, [&](const unsigned i) {
-                 return 1. / stiffness(i, i);
-               }));
-    LipVector forces(loads.size());
-    stiffness.vmult(forces, jumps);
-    forces -= loads;
-    double worst = 0.;
-    for (unsigned int i = 0; i < pairs.size(); ++i)
+    const auto &[loads, jumps, forces, largest] = candidate;
+    const auto        &stiffness                = factor.matrix;
+    const Pair        &pair                     = pairs[i];
+    const unsigned int N                        = pair.normal;
+    const double       mu                       = increment.coefficients[i];
+    const double       limit                    = mu * std::max(forces(N), 0.);
+    const double       opening                  = jumps(N) - pair.gap;
+    const double       least = -rounding * largest; // jump, but for errors
+    double             noise = std::abs(loads(N)) + stiffness(N, N) * largest;
+    double mean = 0.; // stiffness along tangents, however these are turned
+    Tensor<1, 2> slip, force;
+    for (const unsigned int c : {0, 1})
+      if (pair.has(c))
+        {
+          const unsigned int T = pair.tangents[c];
+          slip[c]              = jumps(T) - increment.reference[c][i];
+          force[c]             = forces(T);
+          mean += stiffness(T, T) / pair.n_tangents();
+          noise =
+            std::max(noise, std::abs(loads(T)) + stiffness(T, T) * largest);
+        }
+    noise *= rounding;
+
+    const State &state = states[i];
+    switch (state.kind)
       {
-        const double opening = (jumps(pairs[i].normal) - pairs[i].gap) / jump;
-        const double normal  = forces(pairs[i].normal) / force;
-        worst = std::max(worst, std::abs(std::min(normal, opening)));
-        if (!pairs[i].may_slide())
-          continue;
-        const double tangent = forces(pairs[i].tangent) / force;
-        const double slip =
-          (jumps(pairs[i].tangent) - increment.reference[i]) / jump;
-        const double bound = increment.coefficients[i] * std::max(normal, 0.);
-        worst =
-          std::max({worst,
-                    std::abs(tangent) - bound,
-                    std::min(std::abs(slip),
-                             std::abs(tangent + std::copysign(bound, slip)))});
+        case SlipState::open:
+          if (opening >= least)
+            return state;
+          if (const double allowed = -mu * stiffness(N, N) * opening;
+              mean * slip.norm() > allowed)
+            return slide(-mean * slip, allowed, mean);
+          return {};
+        case SlipState::stick:
+          if (forces(N) < -noise)
+            return {SlipState::open, {}, 0.};
+          return force.norm() > limit + noise ? slide(force, limit, mean)
+                                              : state;
+        case SlipState::slip:
+          break;
       }
-    return worst;
-  }
-
-
-
-  void
-  FrictionProblem::solve_by_lemke(const LipVector &loads,
-                                  const Increment &increment)
-  {
-    ++rescues;
-    const unsigned int       m = pairs.size();
-    LAPACKFullMatrix<double> compliance(factor.matrix);
-    compliance.invert();
-    LipVector free_jumps(loads.size());
-    compliance.vmult(free_jumps, loads);
-    double scale = 0.; // so that forces and jumps are alike
-    for (unsigned int i = 0; i < loads.size(); ++i)
-      scale += compliance(i, i) / loads.size();
-
-    // An unknown of a pair, or none: then of a compliance without coupling.
-    const auto C = [&](const unsigned int a, const unsigned int b) {
-      return std::max(a, b) == numbers::invalid_unsigned_int
-               ? 0.
-               : compliance(a, b) / scale;
-    };
-    // Blocks: g_N, g_T along and against the tangent, size of the slip.
-    FullMatrix<double> M(4 * m);
-    LipVector          r(4 * m);
-    for (unsigned int i = 0; i < m; ++i)
-      {
-        const auto [N_i, T_i, gap] = pairs[i];
-        for (unsigned int j = 0; j < m; ++j)
-          {
-            const unsigned int N_j = pairs[j].normal, T_j = pairs[j].tangent;
-            const double       TT =
-              i == j && !pairs[i].may_slide() ? 1. : C(T_i, T_j);
-            M(i, j)                 = C(N_i, N_j);
-            M(i, m + j)             = C(N_i, T_j);
-            M(i, 2 * m + j)         = -C(N_i, T_j);
-            M(m + i, j)             = C(T_i, N_j);
-            M(m + i, m + j)         = TT;
-            M(m + i, 2 * m + j)     = -TT;
-            M(2 * m + i, j)         = -C(T_i, N_j);
-            M(2 * m + i, m + j)     = -TT;
-            M(2 * m + i, 2 * m + j) = TT;
-          }
-        M(m + i, 3 * m + i) = M(2 * m + i, 3 * m + i) = 1.;
-        M(3 * m + i, i)     = increment.coefficients[i];
-        M(3 * m + i, m + i) = M(3 * m + i, 2 * m + i) = -1.;
-        r(i)                                          = free_jumps(N_i) - gap;
-        if (pairs[i].may_slide())
-          r(m + i) = free_jumps(T_i) - increment.reference[i];
-        r(2 * m + i) = -r(m + i);
-      }
-    if (const double size = r.linfty_norm(); size > 0.)
-      r /= size;
-    const auto z = lemke(M, r);
-    if (!z)
-      throw NumericalError(
-        "The friction of " + std::to_string(m) +
-        " pairs of nodes has no solution that could be found: its stiffness is "
-        "too ill-conditioned. Check the moduli of [Material] and the mesh.");
-    // The variable that is not 0 tells the state.
-    LipVector w(4 * m);
-    M.vmult(w, *z);
-    w += r;
-    for (unsigned int i = 0; i < m; ++i)
-      if ((*z)(i) <= 0.)
-        states[i] = SlipState::open;
-      else if ((*z)(3 * m + i) <= 0.)
-        states[i] = SlipState::stick;
-      else
-        states[i] = slip(w(m + i) > w(2 * m + i));
+    if (forces(N) < -noise)
+      return {SlipState::open, {}, 0.};
+    if (state.direction * slip < least)
+      return {};
+    if (const Tensor<1, 2> trial = force - mean * slip;
+        pair.n_tangents() > 1 && trial.norm() > 0.)
+      if (const State turned = slide(trial, limit, mean);
+          (force + limit * turned.direction).norm() > noise)
+        return turned;
+    return state;
   }
 } // namespace Crevasse

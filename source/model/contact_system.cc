@@ -2,8 +2,7 @@
 // Copyright (C) 2026 by the Crevasse authors
 
 #include <crevasse/contact/active_set.h>
-#include <crevasse/contact/condensed_active_set.h>
-#include <crevasse/contact/condensed_friction.h>
+#include <crevasse/contact/condensed_solver.h>
 #include <crevasse/contact/no_contact.h>
 #include <crevasse/contact/projected_sor.h>
 #include <crevasse/linear/gmg_cg.h>
@@ -75,11 +74,6 @@ namespace Crevasse
       return std::make_unique<NoContact>(problem,
                                          linear_solver(),
                                          parameters.tolerance);
-    if (!problem.bounds.tangents.empty())
-      return std::make_unique<CondensedFriction>(
-        problem,
-        dynamic_cast<DirectSolver &>(linear_solver()), // see choose_contact
-        parameters.tolerance);
     switch (settings.contact_choice.type)
       {
         case ContactSolverType::projected_sor:
@@ -95,7 +89,7 @@ namespace Crevasse
                                              settings.linear_solver.tolerance,
                                              parameters.maximum_iterations);
         case ContactSolverType::condensed_active_set:
-          return std::make_unique<CondensedActiveSet>(
+          return std::make_unique<CondensedSolver>(
             problem,
             dynamic_cast<DirectSolver &>(linear_solver()), // see choose_contact
             parameters.tolerance);

@@ -10,7 +10,7 @@
 //   ninja -C build lip_last && OMP_NUM_THREADS=1
 //   build/tests/benchmarks/lip_last
 
-#include <crevasse/contact/condensed_active_set.h>
+#include <crevasse/contact/condensed_solver.h>
 #include <crevasse/linear/cholesky.h>
 #include <crevasse/linear/matrix_operator.h>
 
@@ -83,11 +83,11 @@ namespace
 
 
   /** Without the certificate. */
-  class Uncertified : public CondensedActiveSet
+  class Uncertified : public CondensedSolver
   {
   public:
-    using CondensedActiveSet::CondensedActiveSet;
-    using CondensedActiveSet::iterate;
+    using CondensedSolver::CondensedSolver;
+    using CondensedSolver::iterate;
   };
 
 

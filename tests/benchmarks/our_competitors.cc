@@ -2,7 +2,7 @@
 // Copyright (C) 2026 by the Crevasse authors
 
 #include <crevasse/contact/active_set.h>
-#include <crevasse/contact/condensed_active_set.h>
+#include <crevasse/contact/condensed_solver.h>
 #include <crevasse/contact/projected_sor.h>
 #include <crevasse/linear/amg_cg.h>
 #include <crevasse/linear/cholesky.h>
@@ -90,7 +90,7 @@ add_our_competitors(Competitors &competitors)
     "condensed active set, CHOLMOD",
     cholesky,
     [](const SignoriniProblem &problem, LinearSolver *linear) {
-      return std::make_unique<CondensedActiveSet>(
+      return std::make_unique<CondensedSolver>(
         problem, dynamic_cast<DirectSolver &>(*linear), tolerance);
     }));
   competitors.push_back(

@@ -11,6 +11,8 @@ condensed_problem();
 void
 friction_problem();
 void
+friction_in_space();
+void
 contact_solvers();
 void
 lip_shift();
@@ -24,6 +26,7 @@ main(int argc, char **argv)
                    argv,
                    {{"condensed_problem", condensed_problem},
                     {"friction_problem", friction_problem},
+                    {"friction_in_space", friction_in_space},
                     {"contact_solvers", contact_solvers},
                     {"lip_shift", lip_shift},
                     {"projected_sor", projected_sor}});

@@ -83,8 +83,8 @@ namespace Crevasse
     double tension         = 0.; ///< tension: max(−g)
     double complementarity = 0.; ///< max min(|g|, |Lq − gap|)
     double residual        = 0.; ///< max |Aq − b| off the lip
-    /** Friction: max (|g_T| − μg), max min(|δ|, |g_T + μgδ/|δ||), δ the slip.
-     */
+    /** Friction: max |g_T − P(g_T − δ)| with the slip δ and the projection P on
+     * forces of at most μg. */
     double friction = 0.;
     /** Largest residual of Newton's method (nonlinear creep), relative to the
      * forces. */

@@ -4,7 +4,7 @@
 #ifndef crevasse_contact_condensed_problem_h
 #define crevasse_contact_condensed_problem_h
 
-#include <crevasse/linear/principal_factor.h>
+#include <crevasse/contact/problem_on_lip.h>
 
 #include <functional>
 
@@ -21,11 +21,9 @@ namespace Crevasse
    * recurs, only the last wrong node changes at a time, which ends for every
    * positive definite Σ (Murty, Opsearch 11, 1974).
    */
-  class CondensedProblem
+  class CondensedProblem : public ProblemOnLip
   {
   public:
-    using LipVector = dealii::Vector<double>;
-
     /** Function that improves the next set by knowledge of the nodes beyond Σ:
      * see LipGraph::extrapolate(). */
     using Extrapolation = std::function<void(const std::vector<bool> &closed,
@@ -38,28 +36,32 @@ namespace Crevasse
                      const LipVector                        &gap,
                      const Extrapolation &extrapolation = {});
 
-    /**
-     * @param loads c of the problem to be solved
-     * @param[out] displacement q, equal to the gap where closed.
-     * @return the number of sets tried.
-     * @throw NumericalError if Σ is found not to be positive definite.
-     */
+    /** See ProblemOnLip::solve(). @param[out] displacement q, equal to the gap
+     * where closed. */
     unsigned int
-    solve(const LipVector &loads, LipVector &displacement);
+    solve(const LipVector &loads, LipVector &displacement) override;
+
+    std::vector<bool>
+    closed_pairs() const override
+    {
+      return closed;
+    }
+
+    void
+    start_from(const std::vector<bool> &closed_pairs) override
+    {
+      closed = closed_pairs;
+    }
+
+    std::string
+    rescue() const override
+    {
+      return "node by node";
+    }
 
     /** Whether each node is closed: in the last solution or, if set by the
      * caller, in the first guess of the next solve. */
     std::vector<bool> closed;
-
-    /** Factor of Σ for the open nodes. */
-    PrincipalFactor factor;
-
-    /** Number of solves in which a set recurred. */
-    unsigned int
-    n_rescues() const
-    {
-      return rescues;
-    }
 
   private:
     using Set = std::vector<bool>;
@@ -81,7 +83,6 @@ namespace Crevasse
     const LipVector     sign, gap;
     const Extrapolation extrapolation;
     LipVector           on_open;
-    unsigned int        rescues = 0;
   };
 } // namespace Crevasse
 

@@ -8,7 +8,7 @@
 // all nodes switch at once.
 
 #include <crevasse/contact/active_set.h>
-#include <crevasse/contact/condensed_active_set.h>
+#include <crevasse/contact/condensed_solver.h>
 #include <crevasse/contact/lip_graph.h>
 #include <crevasse/contact/no_contact.h>
 #include <crevasse/contact/projected_newton.h>
@@ -58,7 +58,7 @@ namespace
 
         Solvers solvers;
         solvers["condensed active set"] =
-          std::make_unique<CondensedActiveSet>(problem, cholesky, 1e-12);
+          std::make_unique<CondensedSolver>(problem, cholesky, 1e-12);
         solvers["active set"] =
           std::make_unique<ActiveSet>(problem, cholesky, 1e-12, 1e-3, 100);
         solvers["projected SOR"] =
@@ -204,7 +204,7 @@ namespace
     const PlateOnPlane<2>  plate(MPI_COMM_WORLD, 400, 1);
     const SignoriniProblem on_plane(plate.matrix, plate.bounds);
     Cholesky               cholesky(plate.matrix, on_plane.all_bounded_dofs());
-    CondensedActiveSet     solver(on_plane, cholesky, 1e-12);
+    CondensedSolver        solver(on_plane, cholesky, 1e-12);
     Vector                 q(plate.loads());
     q = 0.;
     std::vector<double> forces;
@@ -242,9 +242,9 @@ namespace
     else
       {
         solvers["condensed active set, Cholesky"] =
-          std::make_unique<CondensedActiveSet>(problem, cholesky, tolerance);
+          std::make_unique<CondensedSolver>(problem, cholesky, tolerance);
         solvers["condensed active set, MUMPS"] =
-          std::make_unique<CondensedActiveSet>(problem, mumps, tolerance);
+          std::make_unique<CondensedSolver>(problem, mumps, tolerance);
       }
     solvers["active set, Cholesky"] =
       std::make_unique<ActiveSet>(problem, cholesky, tolerance, 1e-3, 100);
@@ -361,9 +361,9 @@ namespace
     stiffer *= 7.;
     const SignoriniProblem stiffer_problem(stiffer, plate.bounds);
     const auto            &lip = problem.all_bounded_dofs();
-    Cholesky cholesky(plate.matrix, lip), stiffer_cholesky(stiffer, lip);
-    CondensedActiveSet solver(problem, cholesky, 1e-12);
-    CondensedActiveSet reference(stiffer_problem, stiffer_cholesky, 1e-12);
+    Cholesky        cholesky(plate.matrix, lip), stiffer_cholesky(stiffer, lip);
+    CondensedSolver solver(problem, cholesky, 1e-12);
+    CondensedSolver reference(stiffer_problem, stiffer_cholesky, 1e-12);
 
     const Vector        b = plate.loads();
     Vector              q(b), q_reference(b);

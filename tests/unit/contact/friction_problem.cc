@@ -15,6 +15,8 @@
 #include <crevasse_tests/tests.h>
 #include <random>
 
+#include "friction_violation.h"
+
 using namespace Crevasse;
 
 namespace
@@ -28,7 +30,7 @@ namespace
   {
     std::vector<FrictionProblem::Pair> all;
     for (unsigned int i = 0; i < m; ++i)
-      all.push_back({i, m + i, gap});
+      all.push_back({i, {{m + i, dealii::numbers::invalid_unsigned_int}}, gap});
     return all;
   }
 
@@ -40,19 +42,20 @@ namespace
     A(0, 1) = A(1, 0) = -1.5;
     A(1, 1)           = 1.;
     Small loads(2), q(2);
-    loads(0) = -1.;
-    loads(1) = 0.9;
-    const FrictionProblem::Increment increment{{1.}, {0.}};
+    loads(0)                      = -1.;
+    loads(1)                      = 0.9;
     const double    expected[][2] = {{0.2, 1.2}, {0., 0.}, {0., 0.2}};
     FrictionProblem lip(A, pairs(1));
+    lip.increment = {{1.}, {{0.}}};
     section("a problem with three solutions");
+    const dealii::Tensor<1, 2> forwards({1., 0.});
     for (const SlipState state :
-         {SlipState::open, SlipState::stick, SlipState::forward})
+         {SlipState::open, SlipState::stick, SlipState::slip})
       {
-        lip.states = {state};
-        check("it needs one set", lip.solve(loads, increment, q) == 1);
+        lip.states = {{state, forwards, 0.}};
+        check("it needs one set", lip.solve(loads, q) == 1);
         const auto &solution = expected[static_cast<int>(state)];
-        check_below("violation", lip.violation(loads, increment, q), 1e-14);
+        check_below("violation", violation(lip, loads, q), 1e-14);
         check_below("difference",
                     std::max(std::abs(q(0) - solution[0]),
                              std::abs(q(1) - solution[1])),
@@ -107,9 +110,8 @@ namespace
     for (const double mu : {0., 0.3, 0.6})
       {
         FrictionProblem lip(A, pairs(m));
-        lip.solve(loads,
-                  {std::vector<double>(m, mu), std::vector<double>(m)},
-                  q);
+        lip.increment = {std::vector<double>(m, mu), {std::vector<double>(m)}};
+        lip.solve(loads, q);
         if (mu == 0.)
           free_slip = q;
         q.add(-(1. - 2. * std::min(mu, 0.5)), free_slip);
@@ -161,24 +163,23 @@ namespace
     for (const double mu : {0., 0.1, 0.3, 0.6, 1., 1.5, 2.})
       for (unsigned int problem = 0; problem < 20; ++problem)
         {
-          FrictionProblem            lip(A, pairs(m));
-          FrictionProblem::Increment increment{std::vector<double>(m, mu),
-                                               std::vector<double>(m)};
-          const Small                first = random_loads(m, random),
-                      second               = random_loads(m, random);
+          FrictionProblem lip(A, pairs(m));
+          lip.increment      = {std::vector<double>(m, mu),
+                                {std::vector<double>(m)}};
+          const Small first  = random_loads(m, random),
+                      second = random_loads(m, random);
           Small q(2 * m), same(2 * m);
-          cold += lip.solve(first, increment, q);
-          worst = std::max(worst, lip.violation(first, increment, q));
+          cold += lip.solve(first, q);
+          worst = std::max(worst, violation(lip, first, q));
           for (unsigned int step = 1; step <= 3; ++step)
             {
-              increment.reference.assign(q.begin() + m, q.end());
+              lip.increment.reference[0].assign(q.begin() + m, q.end());
               Small loads = first;
               loads.sadd(1. - 0.05 * step, 0.05 * step, second);
-              warm += lip.solve(loads, increment, q);
-              worst = std::max(worst, lip.violation(loads, increment, q));
-              increment.reference.assign(q.begin() + m, q.end());
-              most_again =
-                std::max(most_again, lip.solve(loads, increment, same));
+              warm += lip.solve(loads, q);
+              worst = std::max(worst, violation(lip, loads, q));
+              lip.increment.reference[0].assign(q.begin() + m, q.end());
+              most_again = std::max(most_again, lip.solve(loads, same));
               same -= q;
               again = std::max(again, same.linfty_norm() / q.linfty_norm());
             }
@@ -214,12 +215,11 @@ namespace
         Small loads(2 * m), q(2 * m);
         for (double &load : loads)
           load = normal(random);
-        FrictionProblem                  lip(A, pairs(m, problem % 2 * -0.1));
-        const FrictionProblem::Increment increment{
-          std::vector<double>(m, 0.25 * (problem % 9)),
-          std::vector<double>(m, problem % 3 * 0.05)};
-        lip.solve(loads, increment, q);
-        worst = std::max(worst, lip.violation(loads, increment, q));
+        FrictionProblem lip(A, pairs(m, problem % 2 * -0.1));
+        lip.increment = {std::vector<double>(m, 0.25 * (problem % 9)),
+                         {std::vector<double>(m, problem % 3 * 0.05)}};
+        lip.solve(loads, q);
+        worst = std::max(worst, violation(lip, loads, q));
         rescues += lip.n_rescues();
       }
     section("random stiffnesses");

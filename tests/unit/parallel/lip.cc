@@ -7,7 +7,7 @@
 
 #include <crevasse/base/collectively.h>
 #include <crevasse/base/problems.h>
-#include <crevasse/contact/condensed_active_set.h>
+#include <crevasse/contact/condensed_solver.h>
 #include <crevasse/discretisation/external_loads.h>
 #include <crevasse/discretisation/stiffness.h>
 #include <crevasse/grid/geometry.h>
@@ -163,7 +163,7 @@ namespace
     const UnilateralBounds bounds = unilateral_bounds(lip, space);
     const SignoriniProblem problem(matrix, bounds);
     Mumps                  mumps(matrix, problem.all_bounded_dofs());
-    CondensedActiveSet     solver(problem, mumps, 1e-12);
+    CondensedSolver        solver(problem, mumps, 1e-12);
     State                  state;
     solver.solve(b, q, state.contact_forces.normal);
     state.displacement = q;

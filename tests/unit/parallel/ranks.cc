@@ -6,7 +6,7 @@
 
 #include <crevasse/base/problems.h>
 #include <crevasse/contact/active_set.h>
-#include <crevasse/contact/condensed_active_set.h>
+#include <crevasse/contact/condensed_solver.h>
 #include <crevasse/discretisation/rigid_modes.h>
 #include <crevasse/linear/amg_cg.h>
 #include <crevasse/linear/cholesky.h>
@@ -88,17 +88,17 @@ namespace
     const SignoriniProblem  problem_alone(plate_alone.matrix,
                                          plate_alone.bounds);
     Cholesky cholesky(plate_alone.matrix, problem_alone.all_bounded_dofs());
-    CondensedActiveSet alone(problem_alone, cholesky, tolerance);
-    const auto         reference =
+    CondensedSolver alone(problem_alone, cholesky, tolerance);
+    const auto      reference =
       by_place(plate_alone, solve(alone, plate_alone.loads(), force_alone));
 
     const PlateOnPlane<dim> plate(MPI_COMM_WORLD, n, degree, hanging_nodes);
     const SignoriniProblem  problem(plate.matrix, plate.bounds);
     Mumps                   mumps(plate.matrix, problem.all_bounded_dofs());
     AmgCg amg(plate.matrix, rigid_modes(plate.space), dim, degree > 1);
-    CondensedActiveSet condensed(problem, mumps, tolerance);
-    ActiveSet          with_mumps(problem, mumps, tolerance, 1e-3, 100);
-    ActiveSet          with_amg(problem, amg, tolerance, 1e-3, 100);
+    CondensedSolver condensed(problem, mumps, tolerance);
+    ActiveSet       with_mumps(problem, mumps, tolerance, 1e-3, 100);
+    ActiveSet       with_amg(problem, amg, tolerance, 1e-3, 100);
 
     section(std::to_string(dim) + "D, degree " + std::to_string(degree) +
             (hanging_nodes ? ", hanging nodes" : ""));
