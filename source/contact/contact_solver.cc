@@ -7,6 +7,7 @@
 #include <crevasse/linear/principal_factor.h>
 
 #include <deal.II/base/mpi.h>
+#include <deal.II/base/tensor.h>
 
 #include <cmath>
 #include <sstream>
@@ -235,19 +236,20 @@ namespace Crevasse
     values.assign(problem.bounds.dofs.size(), 0.);
     for (std::size_t k = 0; k < values.size(); ++k)
       if (const double g = contact_forces.normal[k] / stiffness_factor;
-          g > least && tangents[0][k] != dealii::numbers::invalid_dof_index)
+          g > least)
         {
-          const double kappa  = 1. / problem.diagonal()(tangents[0][k]);
-          double       square = 0.;
+          double kappa = 0.; // in space that of either tangent will do
+          dealii::Tensor<1, 2> force, slip;
           for (std::size_t c = 0; c < tangents.size(); ++c)
             if (const auto i = tangents[c][k];
                 i != dealii::numbers::invalid_dof_index)
-              square += std::pow(kappa * contact_forces.tangential[c][k] /
-                                     stiffness_factor -
-                                   solution(i) + state.reference[c][k],
-                                 2);
-          values[k] = kappa * state.coefficients[k] * g - std::sqrt(square);
+              {
+                kappa    = 1. / problem.diagonal()(i);
+                force[c] = contact_forces.tangential[c][k] / stiffness_factor;
+                slip[c]  = solution(i) - state.reference[c][k];
+              }
+          values[k] =
+            kappa * state.coefficients[k] * g - (kappa * force - slip).norm();
         }
   }
-
 } // namespace Crevasse

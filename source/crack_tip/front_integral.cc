@@ -137,7 +137,11 @@ namespace Crevasse
     SymmetricTensor<2, 3> local;
     for (unsigned int i = 0; i < 3; ++i)
       local[i][1] = (i == 1 ? 1. : 0.5) * traction[i];
-    const bool is_loaded = body.space.roles.loaded.count(id) > 0;
+    const bool         is_loaded = body.space.roles.loaded.count(id) > 0;
+    const Tensor<1, 3> of_contact =
+      fields.mode == CrackMode::opening
+        ? Tensor<1, 3>({traction[1], 0., 0.})
+        : traction[0] * frame.ahead + traction[2] * frame.tangent;
     for (const auto &hat : region.hats(frame))
       {
         if (is_loaded)
@@ -149,11 +153,11 @@ namespace Crevasse
                               (u[0] * frame.ahead + u[1] * frame.inward +
                                u[2] * frame.tangent)});
         sums.of_stress[hat.vertex] += hat.value * to_mesh(frame, local, 2.);
-        if (fields.mode == CrackMode::opening)
+        if (n_tractions() > 0)
           for (const unsigned int i : values.dof_indices())
             if (fe.has_support_on_face(i, f))
-              sums.of_pressure[hat.vertex][dofs[i]] +=
-                hat.value * traction[1] * values.shape_value(i, q);
+              sums.of_traction[hat.vertex][dofs[i]] +=
+                hat.value * values.shape_value(i, q) * of_contact;
       }
   }
 
@@ -177,7 +181,7 @@ namespace Crevasse
     std::vector<types::global_dof_index> dofs(fe.n_dofs_per_cell());
     const std::size_t                    n_vertices = region.vertices.size();
     LipSums lips{std::vector<VoigtVector<3>>(n_vertices),
-                 decltype(LipSums::of_pressure)(n_vertices)};
+                 decltype(LipSums::of_traction)(n_vertices)};
     for (const auto &cell : owned_cells(space.dof_handler))
       for (const unsigned int f : cell->face_indices())
         {
@@ -191,20 +195,49 @@ namespace Crevasse
           for (const unsigned int q : values.quadrature_point_indices())
             add_lip_point(values, q, dofs, lips);
         }
-    Vector sums = space.ghosted_vector();
-    for (unsigned int v = 0; v < n_vertices; ++v)
-      {
-        sums = 0.;
-        for (const auto &[dof, value] : lips.of_pressure[v])
-          sums(dof) += value;
-        const std::vector<double> factors = body.lip.of_contact_forces(sums);
-        for (std::size_t i = 0; i < factors.size(); ++i)
-          if (factors[i] != 0.)
-            of_contact_forces.emplace_back(v, i, factors[i]);
-        lips.of_stress[v] =
-          sum_of_ranks(lips.of_stress[v], space.communicator());
-      }
+    keep_contact_forces(lips);
+    for (VoigtVector<3> &of_stress : lips.of_stress)
+      of_stress = sum_of_ranks(of_stress, space.communicator());
     return lips.of_stress;
+  }
+
+
+
+  void
+  FrontIntegral::keep_contact_forces(const LipSums &sums)
+  {
+    const auto &nodes   = body.lip.nodes;
+    Vector      weights = body.space.ghosted_vector();
+    for (unsigned int v = 0; v < sums.of_traction.size(); ++v)
+      {
+        std::vector<std::vector<double>> factors;
+        for (unsigned int d = 0; d < n_tractions(); ++d)
+          {
+            weights = 0.;
+            for (const auto &[dof, of_traction] : sums.of_traction[v])
+              weights(dof) += of_traction[d];
+            factors.push_back(body.lip.of_contact_forces(weights));
+          }
+        const auto keep = [&](const unsigned int component,
+                              const std::size_t  node,
+                              const double       factor) {
+          if (factor != 0.)
+            of_contact_forces.push_back({v, component, node, factor});
+        };
+        const Tensor<1, 3> normal =
+          region.curve.frame(region.vertices[v].point).inward;
+        for (std::size_t i = 0; i < nodes.size() && n_tractions() > 0; ++i)
+          if (fields.mode == CrackMode::opening)
+            keep(0, i, factors[0][i]);
+          else
+            for (const unsigned int c : {0, 1})
+              {
+                double along = 0.;
+                for (unsigned int d = 0; d < 3; ++d)
+                  along += nodes[i].tangents[c][d] * factors[d][i];
+                keep(1 + c, i, nodes[i].normal * normal > 0. ? along : -along);
+              }
+      }
   }
 
 
@@ -314,8 +347,11 @@ namespace Crevasse
       K[place.vertex] -=
         place.of_force *
         surface_force<3>(loads, place.id, place.point, place.normal, t);
-    for (const auto &[vertex, node, factor] : of_contact_forces)
-      K[vertex] += factor * sample.state.contact_forces.normal[node];
+    const ContactForces &forces = sample.state.contact_forces;
+    for (const auto &[vertex, component, node, factor] : of_contact_forces)
+      K[vertex] +=
+        factor * (component == 0 ? forces.normal[node]
+                                 : forces.tangential[component - 1][node]);
     Utilities::MPI::sum(K, body.space.communicator(), K);
     for (std::size_t v = 0; v < K.size(); ++v)
       K[v] /= vertices[v].integral();

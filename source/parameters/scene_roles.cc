@@ -17,10 +17,6 @@ namespace Crevasse
       const std::string reason = " with [Boundary] Friction coefficient = " +
                                  scene.boundary.friction.text();
       const Checker boundary(BoundaryParameters::section, problems);
-      boundary.demand(scene.dimension == 2,
-                      "Friction coefficient",
-                      "must be 0 with [Geometry] Dimension = 3: friction is in "
-                      "the plane only");
       boundary.demand(
         roles.contact.empty() || scene.geometry.shape == Shape::mesh_file,
         "Friction coefficient",

@@ -10,6 +10,19 @@ namespace Crevasse
 {
   using namespace dealii;
 
+  namespace
+  {
+    /** The component along the tangent of the plane; in space the size. */
+    template <std::size_t n>
+    double
+    shown(const std::array<double, n> &along)
+    {
+      return n == 1 ? along[0] : std::hypot(along[0], along[n - 1]);
+    }
+  } // namespace
+
+
+
   template <int dim>
   FrictionTable<dim>::FrictionTable(const Body<dim>   &body,
                                     const std::string &file_name,
@@ -140,12 +153,8 @@ namespace Crevasse
     std::vector<std::string> header = {"t", "lip", "x", "y"};
     if (dim == 3)
       header.push_back("z");
-    header.push_back("state");
-    for (const char *name : {"slip", "tangential_traction"})
-      for (unsigned int c = 0; c < dim - 1; ++c)
-        header.push_back(dim == 2 ? name
-                                  : name + ("_" + std::to_string(c + 1)));
-    header.push_back("normal_pressure");
+    header.insert(header.end(),
+                  {"state", "slip", "tangential_traction", "normal_pressure"});
     CsvTable table(file_name, header);
     for (std::size_t m = 0; m < period.size(); ++m)
       for (std::size_t p = 0; p < places.size(); ++p)
@@ -154,10 +163,11 @@ namespace Crevasse
           const Pair         &pair = period[m].pairs[p];
           std::vector<double> row  = {period[m].instant, 1. + node.lip};
           row.insert(row.end(), node.point.begin_raw(), node.point.end_raw());
-          row.push_back(state(m, p));
-          row.insert(row.end(), pair.jump.begin(), pair.jump.end());
-          row.insert(row.end(), pair.traction.begin(), pair.traction.end());
-          row.push_back(pair.pressure);
+          row.insert(row.end(),
+                     {state(m, p),
+                      shown(pair.jump),
+                      shown(pair.traction),
+                      pair.pressure});
           table.add_row(row);
         }
   }

@@ -9,7 +9,7 @@ import subprocess
 import tempfile
 import time
 
-from cracked import BOTTOM, CRACK, TOP, square
+from cracked import BOTTOM, CRACK, TOP, square, steps, write_block
 from crevasse_run import (PATIENCE, PROGRAM, SOURCE, Results, check, overrides,
                           wait_until)
 from mpi_environment import ENVIRONMENT
@@ -41,6 +41,13 @@ def cracked_square():
             f"Boundary/Crack={CRACK}", f"Boundary/Loaded={BOTTOM}, {TOP}",
             "Boundary/Fixed points=0.5, 0; 0, 0: 2",
             "Loads/Traction=0; 10*(sin(2*pi*t/600) - 0.1)*y"]
+
+
+def cracked_block():
+    return write_block(pathlib.Path(MESHES.name) / "block.msh",
+                       [steps(-1, 1, 6), steps(-1, 1, 4), steps(-1, 1, 4)],
+                       lambda middle, normal: (normal == 1 and middle[1] == 0
+                                               and middle[0] > -0.5))
 
 
 CASES = {
@@ -81,6 +88,13 @@ CASES = {
     "friction": periods(4) + cracked_square() + [
         "Boundary/Friction coefficient=0.3", "Time integration/Scheme=automatic",
         "Loads/Traction=4*cos(2*pi*t/600)*y; 10*(sin(2*pi*t/600) - 0.7)*y"],
+    "friction in space": periods(3) + [
+        "Dimension=3", "Geometry/Shape=mesh file",
+        f"Geometry/Mesh file={cracked_block()}", f"Boundary/Crack={CRACK}",
+        f"Boundary/Clamped={BOTTOM}", f"Boundary/Loaded={TOP}",
+        "Boundary/Fixed points=none", "Boundary/Friction coefficient=0.3",
+        "Time integration/Scheme=automatic", "Output/Probes=mouth: 1, 0.5, 0",
+        "Loads/Traction=4*cos(2*pi*t/600); 6*sin(2*pi*t/600) - 9; 2*sin(2*pi*t/600)"],
     "readapted": REDISTRIBUTES + periods(6) + [
         "Refinement/Strategy=adaptive", "Refinement/Cycles=2",
         "Refinement/Readapt every=2", "Geometry/Subdivisions=8, 8"],

@@ -21,10 +21,10 @@ namespace Crevasse
    *                − ∫_lips (p n + t)·M w dA,
    *     w = q u^B,    τ = inc(q φ^B t ⊗ t),
    *
-   * with the pressure p of contact, a given force t on the lips, M = E', the
-   * plane field u^B, φ^B in the planes across the front, its tangent t, the
-   * normal n of the crack into the body, and the incompatibility operator inc =
-   * ∇× (∇× ·)ᵀ. With g = 1 + kX,
+   * with the pressure p of contact, a force t on the lips, given or of
+   * friction, M = E', the plane field u^B, φ^B in the planes across the front,
+   * its tangent t, the normal n of the crack into the body, and the
+   * incompatibility operator inc = ∇× (∇× ·)ᵀ. With g = 1 + kX,
    *
    *     τ_aa = φ_YY,  τ_nn = φ_XX + 2k φ_X/g,  τ_an = −φ_XY − k φ_Y/g,
    *
@@ -82,13 +82,23 @@ namespace Crevasse
     integrate_over_lips();
 
     /** By vertex of the front, on this rank: factors of a uniform stress that
-     * the lips bear, and of the pressure that dofs interpolate. */
+     * the lips bear, and of the tractions that dofs interpolate: of a pressure
+     * or, with friction, of each component of the shear on the side to which
+     * the front's normal points. */
     struct LipSums
     {
       std::vector<VoigtVector<3>> of_stress;
-      std::vector<std::map<dealii::types::global_dof_index, double>>
-        of_pressure;
+      std::vector<
+        std::map<dealii::types::global_dof_index, dealii::Tensor<1, 3>>>
+        of_traction;
     };
+
+    /** Number of components of LipSums::of_traction. */
+    unsigned int
+    n_tractions() const
+    {
+      return fields.mode == CrackMode::opening ? 1 : body.friction ? 3 : 0;
+    }
 
     /** Adds a quadrature point of a lip behind the front. */
     void
@@ -96,6 +106,9 @@ namespace Crevasse
                   const unsigned int                                  q,
                   const std::vector<dealii::types::global_dof_index> &dofs,
                   LipSums                                            &sums);
+    /** Keeps the factors of contact forces. */
+    void
+    keep_contact_forces(const LipSums &sums);
     /** Corrects the factors so that a uniform free strain contributes nothing,
      * and a uniform stress as much as the lips: quadrature is not exact. */
     void
@@ -120,9 +133,16 @@ namespace Crevasse
     std::vector<LoadedPoint>                         loaded;
     std::vector<std::pair<unsigned int, Expression>> body_force;
     std::vector<Kernel>                              kernels;
-    /** Vertex of the front, node of the lip, factor of its contact force. */
-    std::vector<std::tuple<unsigned int, std::size_t, double>>
-      of_contact_forces;
+
+    struct ContactFactor
+    {
+      unsigned int vertex;    ///< vertex of the front
+      unsigned int component; ///< 0: normal; then tangents
+      std::size_t  node;      ///< node of the lip
+      double       factor;
+    };
+
+    std::vector<ContactFactor> of_contact_forces;
   };
 } // namespace Crevasse
 

@@ -15,8 +15,9 @@ namespace Crevasse
    * friction.csv: the state of each pair of nodes with friction at each sample
    * of the last period, 0 open, 1 stuck, 2 sliding along its tangent, −2
    * against it (in space, 2 in any direction), with its tangential jump, shear
-   * traction and pressure. For the summary, what a period does: the work of
-   * friction, the slip of each pair and its net part, and what this is called.
+   * traction and pressure; in space the sizes of both. For the summary, what a
+   * period does: the work of friction, the slip of each pair and its net part,
+   * and what this is called.
    */
   template <int dim>
   class FrictionTable : public Observer

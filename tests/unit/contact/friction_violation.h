@@ -43,12 +43,12 @@ violation(const Crevasse::FrictionProblem &lip,
             slip[c] = (jumps(T) - lip.increment.reference[c][i]) / jump;
           }
       const double limit = lip.increment.coefficients[i] * std::max(normal, 0.);
-      const double size  = slip.norm();
-      const double lack  = (g + (size > 0. ? limit / size : 0.) * slip).norm();
-      worst              = std::max({worst,
-                                     std::abs(std::min(normal, opening)),
-                                     g.norm() - limit,
-                                     std::min(size, lack)});
+      // The nearest allowed force to g_T − δ: see Certificate.
+      dealii::Tensor<1, 2> allowed = g - slip;
+      if (const double size = allowed.norm(); size > limit)
+        allowed *= limit / size;
+      worst = std::max(
+        {worst, std::abs(std::min(normal, opening)), (g - allowed).norm()});
     }
   return worst;
 }
