@@ -176,21 +176,6 @@ namespace Crevasse
 
 
 
-  namespace
-  {
-    void
-    serialize_jumps(StateArchive &archive, std::vector<std::vector<double>> &v)
-    {
-      std::size_t n_tangents = v.size();
-      archive.common(n_tangents);
-      v.resize(n_tangents);
-      for (std::vector<double> &along : v)
-        archive.on_bounds(along);
-    }
-  } // namespace
-
-
-
   template <int dim>
   void
   LipClosure<dim>::serialize(StateArchive &archive)
@@ -214,10 +199,10 @@ namespace Crevasse
         archive.common(change.begin_of_period);
         archive.at_points(change.strain_at_begin);
         archive.at_points(change.strain_at_end);
-        serialize_jumps(archive, change.committed);
+        archive.on_bounds(change.committed);
       }
     archive.at_points(strain);
-    serialize_jumps(archive, committed);
+    archive.on_bounds(committed);
   }
 
 

@@ -175,6 +175,17 @@ namespace Crevasse
         values.assign(numbers.begin(), numbers.end());
     }
 
+    /** Serialises such numbers for each tangent. */
+    void
+    on_bounds(std::vector<std::vector<double>> &of_tangents)
+    {
+      std::size_t n_tangents = of_tangents.size();
+      common(n_tangents);
+      of_tangents.resize(n_tangents);
+      for (std::vector<double> &along : of_tangents)
+        on_bounds(along);
+    }
+
     /** Serialises a number for each cell, by active cell index. */
     virtual void
     on_cells(dealii::Vector<double> &)

@@ -27,9 +27,8 @@ namespace Crevasse
       archive.nodal(displacement);
       archive.at_points(stress);
       archive.on_bounds(contact_forces.normal);
-      for (auto *lists : {&contact_forces.tangential, &friction.reference})
-        for (std::vector<double> &along : *lists)
-          archive.on_bounds(along);
+      archive.on_bounds(contact_forces.tangential);
+      archive.on_bounds(friction.reference);
       archive.common(stiffness_factor);
       archive.common(instant);
     }
