@@ -41,13 +41,15 @@ namespace Crevasse
     const double phi = B.airy, phi_X = B.along.real(), phi_Y = B.along.imag();
     const auto   f = weight.factor(frame.X), g = weight.factor(frame.Y);
     const double Q = f[0] * g[0], Q_X = f[1] * g[0], Q_Y = f[0] * g[1];
-    const double k = frame.curvature / frame.metric();
-    Stress       tau;
-    tau.rest[0][0] = 2. * Q_Y * phi_Y + f[0] * g[2] * phi;
+    const double k = frame.curvature / frame.metric(),
+                 m = frame.normal_curvature / frame.metric();
+    Stress tau;
+    tau.rest[0][0] =
+      2. * Q_Y * phi_Y + f[0] * g[2] * phi + 2. * m * (Q_Y * phi + Q * phi_Y);
     tau.rest[1][1] =
       2. * Q_X * phi_X + f[2] * g[0] * phi + 2. * k * (Q_X * phi + Q * phi_X);
     tau.rest[0][1] = -Q_X * phi_Y - Q_Y * phi_X - f[1] * g[1] * phi -
-                     k * (Q_Y * phi + Q * phi_Y);
+                     k * (Q_Y * phi + Q * phi_Y) - m * (Q_X * phi + Q * phi_X);
     tau.of_field[0][0] = Q * (B.mean - B.half_difference.real());
     tau.of_field[1][1] = Q * (B.mean + B.half_difference.real());
     tau.of_field[0][1] = Q * B.half_difference.imag();
@@ -92,7 +94,8 @@ namespace Crevasse
       mode == CrackMode::tearing ? antiplane(frame) : plane(frame);
     const Tensor<1, 3> u = displacement(frame);
     const double       Q = f[0] * g[0], Q_X = f[1] * g[0], Q_Y = f[0] * g[1];
-    const double       metric = frame.metric(), k = frame.curvature / metric;
+    const double       metric = frame.metric(), k = frame.curvature / metric,
+                 m = frame.normal_curvature / metric;
 
     SymmetricTensor<2, 3> strain, of_slope; // M (ε(w) − Q ε^B)
     strain[0][0]   = Q_X * u[0];
@@ -100,7 +103,7 @@ namespace Crevasse
     strain[0][1]   = 0.5 * (Q_X * u[1] + Q_Y * u[0]);
     strain[0][2]   = 0.5 * (Q_X - k * Q) * u[2];
     strain[1][2]   = 0.5 * Q_Y * u[2];
-    strain[2][2]   = k * Q * u[0];
+    strain[2][2]   = Q * (k * u[0] + m * u[1]);
     of_slope[0][2] = 0.5 * Q / metric * u[0];
     of_slope[1][2] = 0.5 * Q / metric * u[1];
     of_slope[2][2] = Q / metric * u[2];

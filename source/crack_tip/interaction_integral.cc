@@ -52,8 +52,9 @@ namespace Crevasse
           frame.ahead[d]  = tip.ahead[d];
           frame.inward[d] = tip.inward[d];
         }
-      frame.tangent   = cross_product_3d(frame.ahead, frame.inward);
-      frame.curvature = tip.ahead[0] / tip.position[0];
+      frame.tangent          = cross_product_3d(frame.ahead, frame.inward);
+      frame.curvature        = tip.ahead[0] / tip.position[0];
+      frame.normal_curvature = tip.inward[0] / tip.position[0];
       return frame;
     }
 
@@ -115,14 +116,19 @@ namespace Crevasse
   {
     if (anisotropic != nullptr)
       return anisotropic->auxiliary(region.tip, mode, local, weight);
+    AuxiliaryField field;
     if (kappa_of_ring == 0.)
-      return AuxiliaryField(region.tip, mode, local, weight);
+      { // without the weight x of rings, if there are any
+        const double x = region.tip.position[0] + region.tip.global(local)[0];
+        field.add(body.space.roles.has_axis ? 1. / x : 1.,
+                  AuxiliaryField(region.tip, mode, local, weight));
+        return field;
+      }
     const double      nu = (3. - kappa_of_ring) / 4.;
-    const FrontFields fields{mode, false, {1., nu}, weight};
+    const FrontFields fields{mode, region.tip.two_lips, {1., nu}, weight};
     const FrontField  of_front = fields.at(frame_at(region.tip, local)).first;
     const double      share    = 1. / region.tip.position[0];
     const double      of_kappa = (kappa_of_ring + 1.) / 4. * share;
-    AuxiliaryField    field;
     for (unsigned int c = 0; c < QuadratureField<2>::n_components; ++c)
       {
         field.of_stress[0][c] = of_kappa * of_front.of_stress[c];
@@ -132,6 +138,32 @@ namespace Crevasse
     for (const unsigned int d : {0, 1})
       field.of_force[0][d] = of_kappa * of_front.of_force[d];
     return field;
+  }
+
+
+
+  VoigtVector<2>
+  InteractionIntegral::strain_on_rings(const VoigtVector<2> &stress) const
+  {
+    const double   nu    = (3. - kappa_of_ring) / 4.;
+    const double   trace = stress[0] + stress[1] + stress[2];
+    VoigtVector<2> strain;
+    for (unsigned int d = 0; d < 3; ++d)
+      strain[d] = (kappa_of_ring + 1.) / 4. / (1. - nu * nu) *
+                  ((1. + nu) * stress[d] - nu * trace);
+    return strain;
+  }
+
+
+
+  double
+  InteractionIntegral::hoops_at(const Point<2>     &local,
+                                const SquareWeight &weight) const
+  {
+    const double nu = (3. - kappa_of_ring) / 4.;
+    return weight.factor(local[0])[0] * weight.factor(local[1])[0] * 2. * nu *
+           BuecknerField(local, mode, region.tip.two_lips).mean /
+           region.tip.position[0];
   }
 
 
@@ -153,6 +185,8 @@ namespace Crevasse
         return field_at(local, weight);
       };
       kernel.field.add(share, field_of(whole));
+      if (kappa_of_ring > 0. && mode == CrackMode::constant)
+        of_hoops += share * hoops_at(local, whole);
       for (const auto &[weight, factor] : of_creep)
         kernel.of_viscous_strain += share * factor * field_of(weight).of_strain;
     };

@@ -3,6 +3,8 @@
 
 #include <crevasse/crack_tip/interaction_integral.h>
 
+#include <set>
+
 namespace Crevasse
 {
   using namespace dealii;
@@ -56,6 +58,11 @@ namespace Crevasse
                                       traction(field.of_strain, point.normal));
       }
     // A uniform stress has a displacement of the lips, too.
+    if (kappa_of_ring > 0.)
+      {
+        lips[0] -= strain_on_rings(of_uniform_strain);
+        return lips;
+      }
     VoigtVector<2> twofold = of_uniform_strain, both;
     twofold[3] *= 2.;
     both[0] = both[1] = of_uniform_strain[0] + of_uniform_strain[1];
@@ -73,12 +80,31 @@ namespace Crevasse
   InteractionIntegral::integrate_over_bends(const double size)
   {
     const SquareWeight weight = region.weight(size);
+    Tensor<1, 2>       total;
     of_displacement =
       lip_work(body.space, region, size, [&](const LipPoint &point) {
-        return factor(point) *
-               traction(field_at(point.local, weight).of_strain, point.normal);
+        const Tensor<1, 2> force =
+          factor(point) *
+          traction(field_at(point.local, weight).of_strain, point.normal);
+        total += force;
+        return force;
       });
     of_displacement.compress(VectorOperation::add);
+    // Displacements count from that of the tip: translations contribute
+    // nothing, though the nodes of both lips differ by rounding, at which T's
+    // field is large.
+    for (const unsigned int d : {0, 1})
+      total[d] = Utilities::MPI::sum(total[d], body.space.communicator());
+    std::set<types::global_dof_index> of_tip;
+    for (const auto &cell : owned_cells(body.space.dof_handler))
+      for (const unsigned int v : cell->vertex_indices())
+        if (cell->vertex(v).distance(region.tip.position) <
+            1e-6 * region.cell_radius)
+          for (const unsigned int d : {0, 1})
+            if (const auto dof = cell->vertex_dof_index(v, d);
+                of_displacement.in_local_range(dof) &&
+                of_tip.insert(dof).second)
+              of_displacement(dof) -= total[d];
     // A pressure of contact acts along the normal.
     for (const unsigned int k : {0, 1})
       {
@@ -102,7 +128,11 @@ namespace Crevasse
       return {}; // uniform stress has a T
     VoigtVector<2> factors = of_stress;
     if (kappa_of_ring > 0.)
-      factors[0] = factors[2] = 0.5 * (factors[0] + factors[2]);
+      {
+        // Neither a radial stress alone nor a shear is in equilibrium on rings.
+        factors[0] = factors[2] = 0.5 * (factors[0] + factors[2]);
+        factors[3]              = 0.;
+      }
     if (region.tip.two_lips)
       return factors;
     // Ahead of one lip the plane of symmetry bears shear stress.
@@ -148,19 +178,20 @@ namespace Crevasse
     sum = of_ranks(sum - of_uniform_strain);
     for (const unsigned int k : {0, 1})
       of_stress[k] = what_lips_bear(of_ranks(of_stress[k] - lips[k]));
+    VoigtVector<2> hoops;
+    hoops[2] = Utilities::MPI::sum(of_hoops, communicator);
+    if (kappa_of_ring > 0.)
+      hoops = strain_on_rings(hoops);
     area        = Utilities::MPI::sum(area, communicator);
     area_at_tip = Utilities::MPI::sum(area_at_tip, communicator);
-    if (kappa_of_ring > 0.)
-      {
-        // On rings u₁ = x₁ strains hoops as well, and u₁ = x₂ is not uniform.
-        sum[0] = sum[2] = 0.5 * (sum[0] + sum[2]);
-        sum[3]          = 0.;
-      }
     for (Kernel &kernel : kernels)
       {
         const double weight = points.weight[kernel.point];
         if (is_at_tip(kernel))
-          kernel.field.of_strain -= weight / area_at_tip * sum;
+          {
+            kernel.field.of_strain -= weight / area_at_tip * sum;
+            kernel.field.of_stress[0] -= weight / area_at_tip * hoops;
+          }
         // Spread over the square: stress is largest at the tip.
         for (const unsigned int k : {0, 1})
           kernel.field.of_stress[k] -= weight / area * of_stress[k];

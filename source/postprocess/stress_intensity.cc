@@ -28,18 +28,13 @@ namespace Crevasse
     void
     require_ring(const CrackTip &tip, const std::string &setting)
     {
-      const std::string where = "[Material] Plane state = axisymmetric, " +
-                                setting + ": the crack at " +
-                                Text::from_point(tip.position);
-      if (tip.two_lips)
-        throw SceneError(
-          where +
-          " has two lips. This program knows K of a ring for half models with "
-          "the crack on y = const. Set Stress intensity = false.");
-      if (std::abs(tip.ahead[1]) > 1e-8)
-        throw SceneError(where +
-                         " is not in a plane perpendicular to the axis. Set "
-                         "Stress intensity = false.");
+      if (!tip.two_lips && std::abs(tip.ahead[1]) > 1e-8)
+        throw SceneError("[Material] Plane state = axisymmetric, " + setting +
+                         ": the crack at " + Text::from_point(tip.position) +
+                         " has one lip, and is not in a plane perpendicular to "
+                         "the axis, which alone can be a plane of symmetry. "
+                         "Model both lips ([Boundary] Crack), or set Stress "
+                         "intensity = false.");
     }
   } // namespace
 
@@ -230,7 +225,7 @@ namespace Crevasse
         const double size     = region.square(wish, wish > 0. ? end : most);
         return {size, of_cells * region.cell_radius / size};
       }
-    if (body.space.roles.has_axis || uses_fit)
+    if (uses_fit)
       return {region.square(wish, wish > 0. || uses_fit ? end : most), 0.};
     const KnownFields fields(body, region);
     const auto        over = [&](const double size) {

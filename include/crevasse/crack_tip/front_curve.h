@@ -18,12 +18,14 @@ namespace Crevasse
     double               X = 0., Y = 0.;
     dealii::Tensor<1, 3> ahead, inward, tangent;
     double               curvature = 0.; ///< k in d ahead/ds = k tangent
+    /** k in d inward/ds = k tangent; 0 for a plane crack. */
+    double normal_curvature = 0.;
 
     /** Length along a line at constant X, Y per length along the front. */
     double
     metric() const
     {
-      return 1. + curvature * X;
+      return 1. + curvature * X + normal_curvature * Y;
     }
 
     double

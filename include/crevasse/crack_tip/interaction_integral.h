@@ -129,6 +129,17 @@ namespace Crevasse
     AuxiliaryField
     field_at(const dealii::Point<2> &local, const SquareWeight &weight) const;
 
+    /** Strain E' S s of a stress without shear on rings, as of_stress[0] has
+     * it.
+     */
+    VoigtVector<2>
+    strain_on_rings(const VoigtVector<2> &stress) const;
+
+    /** Factor of the hoop strain on rings in N, which T's field makes singular
+     * like 1/r². Its integral over a square around the tip is 0. */
+    double
+    hoops_at(const dealii::Point<2> &local, const SquareWeight &weight) const;
+
     /** Factor of a field that is continued at a point of a cell. */
     double
     sign(const dealii::Point<2> &center, const dealii::Point<2> &local) const
@@ -186,6 +197,7 @@ namespace Crevasse
     std::vector<std::pair<LipPoint, AuxiliaryField>> loaded; ///< on lips
     std::vector<Kernel>                              kernels;
     bool                has_creep = false; ///< whether viscous strain enters
+    double              of_hoops  = 0.;    ///< integral of hoops_at()
     std::vector<double> of_contact_forces;
     Vector              of_displacement; ///< on lips that bend
     /** Integral of τ over the square, which lips that bend bear. */

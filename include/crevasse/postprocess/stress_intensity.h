@@ -126,7 +126,7 @@ namespace Crevasse
     };
 
     /** A square of half the side @p size, and the error of the integral over it
-     * for fields of known K; 0 in bodies of revolution and for the fit. */
+     * for fields of known K; 0 for the fit. */
     struct Square
     {
       double size, error;
