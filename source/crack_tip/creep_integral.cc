@@ -200,12 +200,12 @@ namespace Crevasse
     const Space<2>        &space    = body.space;
     const CrackTip        &tip      = region.tip;
     const MaterialState<2> material = body.material.at(t);
-    const auto             of_rates =
-      slopes(other_strain_rate(body, material, stress, velocity));
-    const auto   of_law = material.creep->is_uniform()
-                            ? std::vector<VoigtVector<2>>(of_rates.size())
-                            : slopes(describe_law(body, material));
-    const Vector nodal  = space.nodal_values(velocity);
+    const Vector rates    = other_strain_rate(body, material, stress, velocity);
+    const auto   of_rates = slopes(rates);
+    const auto   of_law   = material.creep->is_uniform()
+                              ? std::vector<VoigtVector<2>>(of_rates.size())
+                              : slopes(describe_law(body, material));
+    const Vector nodal    = space.nodal_values(velocity);
 
     CellValues<2>             cell_values(space, update_gradients);
     std::vector<Tensor<2, 2>> gradients(space.quadratures[0].size());
@@ -228,6 +228,15 @@ namespace Crevasse
             const Tensor<1, 2> flux({s[0] * along[0] + s[3] * along[1],
                                      s[3] * along[0] + s[1] * along[1]});
             double             divergence = s * of_rates[p] - slope_of_W;
+            if (space.roles.has_axis)
+              {
+                // Rings grow in radius as places move ahead: P of the hoops.
+                const VoigtVector<2> rate =
+                  Field::get(rates, p * Field::n_components) +
+                  creep_rate(material, p, s);
+                divergence +=
+                  tip.ahead[0] / points.location[p][0] * (s[2] * rate[2] - W);
+              }
             for (const auto &[d, force] : body_force)
               divergence -= force.value(points.location[p], t) * along[d];
             for (const unsigned int k : {0, 1})
@@ -241,7 +250,8 @@ namespace Crevasse
           }
       }
     for (double &sum : sums)
-      sum = (tip.two_lips ? 1. : 2.) *
+      sum = (tip.two_lips ? 1. : 2.) /
+            (space.roles.has_axis ? tip.position[0] : 1.) *
             Utilities::MPI::sum(sum, space.communicator());
     return sums;
   }

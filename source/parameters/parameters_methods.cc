@@ -265,7 +265,7 @@ namespace Crevasse
       "Whether to write the integral C(t) at each step to creep_integral.csv, "
       "or to creep_integral_1.csv, creep_integral_2.csv, ... for each tip of "
       "cracks with two lips. Needs nonlinear creep without hardening, and "
-      "plane stress or plane strain. In steady creep C(t) is C*.");
+      "Dimension = 2. In steady creep C(t) is C*.");
     add_selection("Method", method, prm);
     prm.add_parameter(
       "Radius",

@@ -309,7 +309,6 @@ def test_warnings():
 REFUSED = [
     ("maxwell", ["Material/Viscosity=relaxation time"], "Viscosity = power law"),
     ("singular", ["Discretisation/Singular functions=1"], "Singular functions = 0"),
-    ("round", ["Material/Plane state=axisymmetric"], "plane stress or plane strain"),
     ("radius", ["Crack tip/Radius=0.6"], "must be at most 0.5"),
     ("cells", ["Crack tip/Radius=0.004"], "instead of twice as far"),
     ("force at the tip", ["Loads/Traction=1; 1"], "which the support at the crack"),

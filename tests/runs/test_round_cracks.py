@@ -310,6 +310,102 @@ def test_release_rate_of_cap():
                 "change of the energy with the angle over G")
 
 
+CREEP = """
+subsection Geometry
+  set Shape = edge crack
+  set Subdivisions = 20, 20
+end
+subsection Refinement
+  set Strategy = tip
+  set Cycles = 4
+end
+subsection Material
+  set Plane state = axisymmetric
+  set Young modulus = 1000
+  set Poisson ratio = 0.3
+  set Viscosity = power law
+  set Creep exponent = 3
+  set Creep coefficient = 2e-3
+end
+subsection Discretisation
+  set Degree = 2
+end
+subsection Loads
+  set Period = 4
+  set Traction = 0; 1
+end
+subsection Time integration
+  set Scheme = sdirk2
+  set Step control = list
+  set Steps = 0.01, 0.02, 0.04, 0.08, 0.16, 0.32, 0.6, 1, 1.5, 2, 3, 3.5
+end
+subsection Periodic state
+  set Maximum periods = 1
+  set Tolerance = 0
+end
+subsection Crack tip
+  set Creep integral = true
+end
+subsection Output
+  set Fields = none
+  set Load work = true
+end
+"""
+
+
+def power(results):
+    table = results.table("load_work.csv")
+    t, work = table["t"], table["load_work"]
+    return (work[-1] - work[-2]) / (t[-1] - t[-2])
+
+
+def test_notched_bar():
+    """C* of a bar with a crack around it, by the loads' power; early C(t), which has
+    elastic rates, does not depend on the square."""
+    shorter, here, longer, small = (
+        run(CREEP, f"notched_{a}_{len(more)}", [f"Geometry/Crack length={a}", *more])
+        for a, more in ((0.495, []), (0.5, []), (0.505, []),
+                        (0.5, ["Crack tip/Radius=0.1"])))
+    C, other = (results.table("creep_integral.csv")["C_t"] for results in (here, small))
+    expected = 2 / 4 * (power(longer) - power(shorter)) / 0.01 / 0.5
+    check_close(C[-1] / expected, 1, 5e-3, "C* over that of the power")
+    check_below(max(abs(a / b - 1) for a, b in zip(C, other, strict=True)), 2e-2,
+                "squares of 0.5 and 0.1, which have few cells")
+
+
+@full
+def test_creeping_penny():
+    """He and Hutchinson, J. Appl. Mech. 48, 1981: J = (6/pi) sigma epsilon a /
+    sqrt(1 + 3/n), of some per cent."""
+    for n in (1, 3):
+        results = run(CREEP, "creeping_penny", [
+            "Geometry/Shape=centre crack", "Geometry/Width=8", "Geometry/Height=8",
+            "Geometry/Crack length=1", "Geometry/Subdivisions=64, 64",
+            f"Material/Creep exponent={n}", "Loads/Period=40",
+            "Time integration/Steps=0.1, 0.3, 1, 2, 4, 8, 14, 20, 26, 32, 36, 38"])
+        exact = 6 / math.pi * 2e-3 / math.sqrt(1 + 3 / n)
+        check_close(results.table("creep_integral.csv")["C_t"][-1] / exact, 1, 0.03,
+                    f"C* of a penny-shaped crack, n = {n}")
+
+
+@full
+def test_creeping_cone():
+    """C* of both tips by the power, of the tip that moves."""
+    creep = [line for line in (
+        pull(), "Material/Viscosity=power law", "Material/Creep exponent=3",
+        "Material/Creep coefficient=1e-4", "Crack tip/Stress intensity=false",
+        "Crack tip/Creep integral=true", "Output/Load work=true", "Loads/Period=40",
+        "Periodic state/Tolerance=0", "Geometry/Refinements=2",
+        "Time integration/Scheme=sdirk2", "Time integration/Step control=list",
+        "Time integration/Steps=0.1, 0.3, 1, 2, 4, 8, 14, 20, 26, 32, 36, 38")]
+    shorter, here, longer = (run(scene("cone", length=length), f"cone_{length}", creep)
+                             for length in (0.98, 1, 1.02))
+    ends = here.summary["creep_integrals"]
+    i = max((0, 1), key=lambda i: sum(ends[i]["direction"]))
+    expected = (power(longer) - power(shorter)) / 4 / 0.04 / ends[i]["position"][0]
+    check_close(ends[i]["last"] / expected, 1, 5e-3, "C* of a conical crack")
+
+
 def test_refusals():
     """Only a plane across the axis is a plane of symmetry."""
     cracked.write_block("refused.msh", ([8, 9, 10], LINES), lambda middle, normal: (
@@ -325,7 +421,7 @@ def test_refusals():
 
 TESTS = [test_release_rates, test_heat, test_uniform_stress, test_plane, test_radii,
          test_invariances, test_creep, test_half_model, test_cooled_penny, test_cap,
-         test_release_rate_of_cap, test_refusals]
+         test_release_rate_of_cap, test_notched_bar, test_creeping_penny, test_creeping_cone, test_refusals]
 
 if __name__ == "__main__":
     for test in TESTS:

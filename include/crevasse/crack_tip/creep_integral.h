@@ -25,9 +25,10 @@ namespace Crevasse
    *
    * and does not depend on the domain: the second integral contains all strain
    * other than creep, also thermal strain, and moduli and the law may vary (on
-   * the domain: Li, Shih, Needleman, Eng. Fract. Mech. 21, 1985). Fields are
-   * recovered at nodes before they are differentiated: see StressRecovery. The
-   * weight is SquareWeight; a body on one side of the crack counts twice.
+   * the domain: Li, Shih, Needleman, 1985). Fields are recovered at nodes
+   * before they are differentiated: see StressRecovery. The weight is
+   * SquareWeight; a body on one side of the crack counts twice. doc/theory.md
+   * adds rings.
    */
   class CreepIntegral
   {
