@@ -288,15 +288,18 @@ namespace Crevasse
     if (creeps || !material.stiffness->is_uniform() ||
         material.thermal_strain != nullptr)
       sum += of_variation(sample, material, at_tip, creeps);
-    double of_lips = 0.;
     if (region.has_bends())
-      of_lips =
-        material.stiffness_factor * at_tip.modulus() *
-        (of_displacement * body.nodal_displacement(sample.state.displacement,
-                                                   sample.state.instant,
-                                                   sample.time));
-    return of_uniform + of_lips -
-           Utilities::MPI::sum(sum, body.space.communicator());
+      {
+        // Without openings, which of_displacement has as further unknowns.
+        const Vector nodal = body.nodal_displacement(sample.state.displacement,
+                                                     sample.state.instant,
+                                                     sample.time);
+        double       of_lips = 0.;
+        for (std::size_t i = 0; i < nodal.locally_owned_size(); ++i)
+          of_lips += of_displacement.local_element(i) * nodal.local_element(i);
+        sum -= material.stiffness_factor * at_tip.modulus() * of_lips;
+      }
+    return of_uniform - Utilities::MPI::sum(sum, body.space.communicator());
   }
 
 
