@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <map>
 
 namespace Crevasse
 {
@@ -94,6 +95,33 @@ namespace Crevasse
     {
       return chain.points.size() - 1;
     }
+
+
+
+    /** Adds the middles of second-order edges to the points of a front. Those
+     * of a polygon are not on the curve for which it stands. */
+    void
+    add_middles(FrontCurve::Chain &chain, const Triangulation<3> &mesh)
+    {
+      std::map<unsigned int, Point<3>> middles; // by segment
+      bool                             is_curved = false;
+      for (const auto &cell : mesh.cell_iterators_on_level(0))
+        for (const unsigned int l : cell->line_indices())
+          for (unsigned int i = 0; i < n_segments(chain); ++i)
+            {
+              const auto      line = cell->line(l);
+              const Point<3> &a = chain.points[i], &b = chain.points[i + 1];
+              if ((line->vertex(0) != a || line->vertex(1) != b) &&
+                  (line->vertex(0) != b || line->vertex(1) != a))
+                continue;
+              middles[i] = line->center(true);
+              is_curved  = is_curved || distance_from_edge(middles[i], a, b) >
+                                         1e-6 * a.distance(b);
+            }
+      if (is_curved)
+        for (auto at = middles.rbegin(); at != middles.rend(); ++at)
+          chain.points.insert(chain.points.begin() + at->first + 1, at->second);
+    }
   } // namespace
 
 
@@ -121,6 +149,7 @@ namespace Crevasse
     join(edges);
     for (Chain &chain : all)
       {
+        add_middles(chain, mesh);
         set_tangents(chain, mesh);
         chain.arcs = {0.};
         for (unsigned int i = 0; i < n_segments(chain); ++i)

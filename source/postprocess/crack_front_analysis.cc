@@ -41,8 +41,12 @@ namespace Crevasse
                                  scene.loads,
                                  {mode, two_lips, elasticity, {size, 4}});
           };
-          integrals.emplace_back(
-            within(radius), within(std::max(0.5 * radius, region.cell_radius)));
+          // Cells at the front may fill the tube: a part of them tells more of
+          // the error than the same tube would.
+          integrals.emplace_back(within(radius),
+                                 within(std::max(0.5 * radius,
+                                                 std::min(region.cell_radius,
+                                                          0.7 * radius))));
         }
   }
 

@@ -3,6 +3,7 @@ slice against the plane, creep and closed lips by what must not change, two fron
 ranks, hanging nodes, and what is refused."""
 
 import math
+import pathlib
 import re
 
 from crevasse_run import (check, check_below, check_close, execute, full, overrides,
@@ -64,6 +65,28 @@ def test_penny():
     check_below(max(abs(a["K_I"] / b["K_I"] - 1)
                     for a, b in zip(front(both), rows, strict=True)), 1e-9,
                 "two ranks")
+
+
+@full
+def test_ellipse():
+    """Irwin's ellipse of 2 : 1 (J. Appl. Mech. 29, 1962), with 12 cells along a quarter;
+    E(k) by the mean of its integrand, which is exact for periodic functions."""
+    b, a = RADIUS, 2 * RADIUS
+    mesh = penny_mesh("ellipse.msh", "12", "0.05")
+    lines = pathlib.Path("ellipse.msh").read_text().split("\n")
+    for i in range(lines.index("$Nodes") + 2, lines.index("$EndNodes")):
+        number, x, *rest = lines[i].split()
+        lines[i] = " ".join([number, repr(2 * float(x)), *rest])
+    pathlib.Path("ellipse.msh").write_text("\n".join(lines))
+
+    E_of_k = math.pi / 2 * sum(math.sqrt(math.sin(angle)**2 + (b / a)**2 * math.cos(
+        angle)**2) for angle in (math.pi * i / 64 for i in range(64))) / 64
+    for row in front(run(PENNY, "ellipse", [mesh])):
+        angle = math.atan2(row["y"] / b, row["x"] / a)
+        exact = SIGMA * math.sqrt(math.pi * b) / E_of_k * (
+            math.sin(angle)**2 + (b / a)**2 * math.cos(angle)**2)**0.25
+        check_close(row["K_I"] / exact, 1, 5e-3, f"ellipse, {math.degrees(angle):.1f} "
+                    f"degrees, printed {row['K_I_error'] / exact:.1e}")
 
 
 def beside_its_image(path, other, width):
@@ -258,6 +281,7 @@ def test_refusals():
 test_slice()
 test_body_force()
 test_penny()
+test_ellipse()
 test_two_middles()
 test_two_pennies()
 test_free_strain()

@@ -37,10 +37,10 @@ namespace Crevasse
 
   /**
    * The fronts of plane cracks in space as smooth curves: cubic polynomials
-   * between the vertices of the coarse mesh. The tangent at a vertex is that of
-   * the circle through it and its neighbours. The error of an arc is of order 6
-   * in its angle; straight fronts are exact. A front is closed or ends at the
-   * boundary of the body.
+   * between the vertices of the coarse mesh and middles of curved edges. The
+   * tangent there is that of the circle through neighbours. The error of an arc
+   * is of order 6 in its angle; straight fronts are exact. A front is closed or
+   * ends at the boundary of the body.
    */
   class FrontCurve
   {
