@@ -80,11 +80,11 @@ namespace Crevasse
                first_elasticity.anisotropic ? &*first_elasticity.anisotropic
                                             : nullptr});
           };
-          integrals.emplace_back(over_square(square.size, 2),
-                                 over_square(std::max(region.aligned_radius(
-                                                        0.5 * square.size),
-                                                      region.cell_radius),
-                                             3));
+          const double half = std::max(region.aligned_radius(0.5 * square.size),
+                                       region.cell_radius);
+          integrals.emplace_back(mode,
+                                 Integrals(over_square(square.size, 2),
+                                           over_square(half, 3)));
         }
     if (!can_fit())
       return;
@@ -228,17 +228,21 @@ namespace Crevasse
     if (uses_fit)
       return {region.square(wish, wish > 0. || uses_fit ? end : most), 0.};
     const KnownFields fields(body, region);
-    const auto        over = [&](const double size) {
-      return Square{size,
-                    fields.error_of(InteractionIntegral(body,
-                                                        points,
-                                                        region,
-                                                        CrackMode::opening,
-                                                        scene.loads,
-                                                        {size, size, false}))};
+    const auto        error = [&](const double size, const CrackMode mode) {
+      const InteractionIntegral integral(
+        body, points, region, mode, scene.loads, {size, size, false});
+      return fields.error_of(integral, mode);
+    };
+    const auto over = [&](const double size) {
+      return Square{size, error(size, CrackMode::opening)};
+    };
+    const auto with_T = [&](Square square) {
+      if (has_t_stress())
+        square.error_of_T = error(square.size, CrackMode::constant);
+      return square;
     };
     if (wish > 0.)
-      return over(region.square(wish, end));
+      return with_T(over(region.square(wish, end)));
     Square best = over(region.aligned_radius(most));
     double last = best.size;
     for (double part = 1.; part >= least; part *= std::sqrt(0.5))
@@ -250,7 +254,7 @@ namespace Crevasse
           if (next.error / next.size < best.error / best.size)
             best = next;
         }
-    return best;
+    return with_T(best);
   }
 
 
@@ -302,13 +306,17 @@ namespace Crevasse
     // After creep a closed tip may have singular stress.
     const bool is_closed =
       open == 0. && !region.tip.is_open && !body.effects.viscosity.on;
-    for (unsigned int i = is_closed ? 1 : 0; i < integrals.size(); ++i)
+    for (const auto &[mode, squares] : integrals)
       {
-        const auto &[large, small] = integrals[i];
-        const double check         = small.value(t, sample, material, at_tip);
-        all.intensity[i]           = large.value(t, sample, material, at_tip);
-        all.error[i]               = std::abs(all.intensity[i] - check);
-        if (i == 0)
+        if (mode == CrackMode::opening && is_closed)
+          continue;
+        const double value = squares.first.value(t, sample, material, at_tip),
+                     check = squares.second.value(t, sample, material, at_tip);
+        const bool is_T    = mode == CrackMode::constant;
+        (is_T ? all.t_stress : all.intensity[unsigned(mode)]) = value;
+        (is_T ? all.t_stress_error : all.error[unsigned(mode)]) =
+          std::abs(value - check);
+        if (mode == CrackMode::opening)
           all.of_stress = check;
       }
     if (const double wrong = 0.5 * region.path.first_bend(); wrong > 0.)

@@ -29,7 +29,11 @@ namespace Crevasse
         if (analysis.has_singular_functions)
           all.emplace_back(name, v.of_singular_functions[mode]);
       };
-      const auto with_temperature = [&] {
+      const auto with_last = [&] {
+        if (analysis.intensity.has_t_stress())
+          all.insert(all.end(),
+                     {{"T_stress", v.t_stress},
+                      {"T_stress_error", v.t_stress_error}});
         if (analysis.has_temperature)
           all.emplace_back("theta", v.temperature);
         return all;
@@ -43,11 +47,10 @@ namespace Crevasse
                  {"energy_release_rate", v.release_rate},
                  {"growth_angle", v.growth_angle},
                  {"equivalent_intensity", v.equivalent},
-                 {"T_stress", v.t_stress},
                  {"growth_angle_G", v.angle_of_release}};
           add_singular("K_I_singular", 0);
           add_singular("K_II_singular", 1);
-          return with_temperature();
+          return with_last();
         }
       all = {{"K_I", v.intensity[0]}, {"K_I_stress", v.of_stress}};
       add_singular("K_I_singular", 0);
@@ -55,7 +58,7 @@ namespace Crevasse
                  {{"K_I_error", v.error[0]},
                   {"energy_release_rate", v.release_rate},
                   {"strain_energy", v.energy}});
-      return with_temperature();
+      return with_last();
     }
   } // namespace
 
@@ -114,7 +117,10 @@ namespace Crevasse
     const double size = std::hypot(K[0], K[1]);
     TipValues    values{};
     values.of_stress = estimate.of_stress;
-    values.t_stress  = K[2];
+    values.t_stress  = estimate.t_stress;
+    values.t_stress_error =
+      std::max(estimate.t_stress_error,
+               analysis.intensity.t_stress_error(relative_error) * size);
     if (analysis.has_temperature)
       values.temperature = analysis.temperature(t);
     for (unsigned int mode = 0; mode < (place.two_lips ? 2 : 1); ++mode)
@@ -202,6 +208,8 @@ namespace Crevasse
       summarise_intensity(1, tip);
     tip["energy_release_rate"] =
       extremes([](const TipValues &v) { return v.release_rate; });
+    if (analysis.intensity.has_t_stress())
+      summarise_t_stress(tip);
     if (place.two_lips)
       {
         summarise_two_modes(tip);
@@ -249,6 +257,16 @@ namespace Crevasse
 
 
   void
+  TipTable::summarise_t_stress(Summary &tip) const
+  {
+    tip["T_stress"] = extremes([](const TipValues &v) { return v.t_stress; });
+    tip["T_stress_error"] =
+      largest_value([](const TipValues &v) { return v.t_stress_error; });
+  }
+
+
+
+  void
   TipTable::summarise_two_modes(Summary &tip) const
   {
     const TipValues &worst =
@@ -257,7 +275,6 @@ namespace Crevasse
                         [](const TipValues &a, const TipValues &b) {
                           return a.equivalent < b.equivalent;
                         });
-    tip["T_stress"] = extremes([](const TipValues &v) { return v.t_stress; });
     tip["equivalent_intensity"] = {{"largest", largest(equivalent_of)}};
     tip["growth_angle"]         = worst.growth_angle;
     tip["growth_angle_G"]       = worst.angle_of_release;

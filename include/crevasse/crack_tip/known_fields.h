@@ -24,10 +24,12 @@ namespace Crevasse
     /** Interpolates the fields. Collective. */
     KnownFields(const Body<2> &body, const TipRegion &region);
 
-    /** Relative error of K_I by an integral of isotropic bodies: root of the
-     * sum of the squares of its errors for these fields. Collective. */
+    /** Error of K_I by an integral of isotropic bodies, or of T by one of this
+     * mode, in a field of unit K_I: root of the sum of the squares of its
+     * errors for these fields. Collective. */
     double
-    error_of(const InteractionIntegral &integral) const;
+    error_of(const InteractionIntegral &integral,
+             const CrackMode            mode = CrackMode::opening) const;
 
   private:
     /** Stress at the points of the finite-element interpolation of 2μu. */

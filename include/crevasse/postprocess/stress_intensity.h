@@ -13,8 +13,9 @@ namespace Crevasse
   /**
    * Computes K_I at the instants of a run by integrals over two squares, with
    * the fit of Williams' series as a check, or by the fit. Squares end at other
-   * boundaries, discs also at other materials. If the tip has two lips, also
-   * K_II and T are computed, and there is no fit.
+   * boundaries, discs also at other materials. T is computed, too, unless the
+   * body is one of revolution; if the tip has two lips, also K_II, and there is
+   * no fit.
    */
   class StressIntensity
   {
@@ -23,10 +24,11 @@ namespace Crevasse
      * if nothing creeps and the node next to the tip is closed. */
     struct Estimate
     {
-      std::array<double, 3> intensity;
+      std::array<double, 2> intensity;
       /** Differences between integrals over two squares, or between fits to two
        * discs. */
-      std::array<double, 3> error;
+      std::array<double, 2> error;
+      double                t_stress, t_stress_error;
       /** K_I of the fit or, without a fit, over the smaller square. */
       double of_stress;
     };
@@ -62,9 +64,20 @@ namespace Crevasse
     std::vector<CrackMode>
     modes() const
     {
-      if (!region.tip.two_lips)
-        return {CrackMode::opening};
-      return {CrackMode::opening, CrackMode::sliding, CrackMode::constant};
+      std::vector<CrackMode> list = {CrackMode::opening};
+      if (region.tip.two_lips)
+        list.push_back(CrackMode::sliding);
+      if (has_t_stress())
+        list.push_back(CrackMode::constant);
+      return list;
+    }
+
+    /** Whether T is computed: by the integral, where the stress at the tip
+     * stays Williams' series. */
+    bool
+    has_t_stress() const
+    {
+      return !body.space.roles.has_axis && !uses_fit && why.empty();
     }
 
     /** Name of the method, "interaction integral" or "williams fit". */
@@ -102,6 +115,16 @@ namespace Crevasse
       return square.error;
     }
 
+    /** Error of T that the mesh leaves for fields of a unit K, or what a
+     * relative error of K makes of it. */
+    double
+    t_stress_error(const double of_intensity) const
+    {
+      return std::max(square.error_of_T,
+                      of_intensity / std::sqrt(dealii::numbers::PI *
+                                               region.largest_radius()));
+    }
+
     /** Size of the square, or of the largest disc of the fit. */
     double
     radius() const
@@ -125,11 +148,11 @@ namespace Crevasse
       double creep;
     };
 
-    /** A square of half the side @p size, and the error of the integral over it
-     * for fields of known K; 0 for the fit. */
+    /** A square of half the side @p size, and the errors of the integrals over
+     * it for fields of a unit K; 0 for the fit. */
     struct Square
     {
-      double size, error;
+      double size, error, error_of_T = 0.;
     };
 
     /** Integrals over the larger and the smaller square. */
@@ -189,9 +212,9 @@ namespace Crevasse
     const std::string why;
 
   private:
-    const Square              square;    ///< larger square
-    std::vector<Integrals>    integrals; ///< integrals for each mode
-    double                    fit_radius = 0.;
+    const Square                                 square; ///< larger square
+    std::vector<std::pair<CrackMode, Integrals>> integrals;
+    double                                       fit_radius = 0.;
     std::optional<NestedFits> fits; ///< fits for one lip in the plane
   };
 } // namespace Crevasse

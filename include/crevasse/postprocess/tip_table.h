@@ -37,7 +37,7 @@ namespace Crevasse
     double                growth_angle; ///< growth direction in degrees
     /** K_I or, for two lips, TipElasticity::equivalent(). */
     double equivalent;
-    double t_stress;
+    double t_stress, t_stress_error;
     double angle_of_release; ///< direction of largest G in degrees
     double temperature;
   };
@@ -52,7 +52,8 @@ namespace Crevasse
    * StressIntensity::Estimate or, if larger, √(K_I² + K_II²) times the relative
    * error of the elastic energy that StressEstimator finds in the cells around
    * the tip; that of K_I up to four times this if integral and fit differ by
-   * more. They are not bounds.
+   * more. T has the error that StressIntensity makes of this. They are not
+   * bounds.
    */
   class TipTable : public PeriodObserver
   {
@@ -159,6 +160,10 @@ namespace Crevasse
     /** Adds K of a mode and its error to the summary and the log. */
     void
     summarise_intensity(const unsigned int mode, Summary &tip) const;
+
+    /** Adds T to the summary. */
+    void
+    summarise_t_stress(Summary &tip) const;
 
     /** Adds what only tips with two lips have to the summary. */
     void

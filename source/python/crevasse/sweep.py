@@ -16,7 +16,8 @@ EPILOG = """Quantities, for --error and --exact:
   probe_NAME/COLUMN     a column of a probe's table: u_1, s_22, opening, ...
   probe_NAME/u, .../s   all its displacements, all its stresses
   contact/COLUMN        of the lip's table: force, largest_pressure, closed_nodes
-  crack_tip/COLUMN      K_I, K_I_stress, K_I_error, energy_release_rate, strain_energy
+  crack_tip/COLUMN      K_I, K_I_stress, K_I_error, T_stress, energy_release_rate,
+                        strain_energy
   crack_tip_N/COLUMN    of tip N between two lips: K_I, K_II, T_stress, ...
   creep_integral/C_t    of creep by a power law, or creep_integral_N/C_t
   periods/stress_change, load_work/load_work
