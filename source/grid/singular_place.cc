@@ -2,55 +2,15 @@
 // Copyright (C) 2026 by the Crevasse authors
 
 #include <crevasse/base/text.h>
+#include <crevasse/grid/corner_angles.h>
 #include <crevasse/grid/crack_tip.h>
 #include <crevasse/grid/singular_place.h>
 
-#include <deal.II/grid/tria_accessor.h>
-
-#include <map>
-#include <set>
+#include <algorithm>
 
 namespace Crevasse
 {
   using namespace dealii;
-
-  namespace
-  {
-    /** The vertex with the largest angle within the body between straight
-     * sides, and this angle. */
-    std::pair<Point<2>, double>
-    sharpest_corner(const Triangulation<2> &mesh)
-    {
-      std::map<unsigned int, double> angles;
-      std::set<unsigned int>         sides, curved;
-      for (const auto &cell : mesh.cell_iterators_on_level(0))
-        {
-          for (const unsigned int v : cell->vertex_indices())
-            {
-              // Neighbours of a vertex differ in one bit of its number.
-              const Tensor<1, 2> a = cell->vertex(v ^ 1u) - cell->vertex(v),
-                                 b = cell->vertex(v ^ 2u) - cell->vertex(v);
-              angles[cell->vertex_index(v)] +=
-                std::acos(std::clamp(a * b / (a.norm() * b.norm()), -1., 1.));
-            }
-          for (const auto &face : cell->face_iterators())
-            if (face->at_boundary())
-              for (const unsigned int v : {0, 1})
-                {
-                  sides.insert(face->vertex_index(v));
-                  if (face->manifold_id() != numbers::flat_manifold_id)
-                    curved.insert(face->vertex_index(v));
-                }
-        }
-      std::pair<Point<2>, double> sharpest = {};
-      for (const unsigned int v : sides)
-        if (curved.count(v) == 0 && angles[v] > sharpest.second)
-          sharpest = {mesh.get_vertices()[v], angles[v]};
-      return sharpest;
-    }
-  } // namespace
-
-
 
   template <int dim>
   std::string
@@ -71,9 +31,17 @@ namespace Crevasse
     if constexpr (dim == 2)
       {
         constexpr double re_entrant = 1.25 * numbers::PI;
-        if (const auto [point, angle] = sharpest_corner(mesh);
-            angle > re_entrant)
-          return describe("re-entrant corner " + Text::from_point(point),
+        const auto       corners    = corner_angles(mesh);
+        const auto       sharpest =
+          std::max_element(corners.begin(),
+                           corners.end(),
+                           [](const auto &a, const auto &b) {
+                             return a.second < b.second;
+                           });
+        if (sharpest != corners.end() && sharpest->second > re_entrant)
+          return describe("re-entrant corner " +
+                            Text::from_point(
+                              mesh.get_vertices()[sharpest->first]),
                           "Round the corner, or judge the stress at a distance "
                           "from it");
       }

@@ -3,6 +3,7 @@
 
 #include <crevasse/base/collectively.h>
 #include <crevasse/base/problems.h>
+#include <crevasse/grid/corner_angles.h>
 #include <crevasse/grid/crack_tip.h>
 #include <crevasse/model/refinement.h>
 
@@ -10,6 +11,7 @@
 #include <deal.II/fe/fe_q.h>
 
 #include <bitset>
+#include <set>
 
 namespace Crevasse
 {
@@ -30,6 +32,35 @@ namespace Crevasse
           if (distance_from_edge(cell->vertex(v), first, last) <= tolerance)
             vertices.set(v);
       return vertices;
+    }
+
+
+
+    /** Kinks of lips in the plane: corners that they turn into the body by more
+     * than an angle, where the stress is singular, too. */
+    template <int dim>
+    CrackFront<dim>
+    kinks_of_lips(const Mesh<dim>     &mesh,
+                  const BoundaryRoles &roles,
+                  const double         least)
+    {
+      CrackFront<dim> kinks;
+      if constexpr (dim == 2)
+        {
+          constexpr double       half = numbers::PI;
+          std::set<unsigned int> on_lips;
+          for (const auto &cell : mesh.cell_iterators_on_level(0))
+            for (const auto &face : cell->face_iterators())
+              if (face->at_boundary() && roles.is_lip(face->boundary_id()))
+                for (const unsigned int v : {0, 1})
+                  on_lips.insert(face->vertex_index(v));
+          for (const auto &[v, angle] : corner_angles(mesh))
+            if (on_lips.count(v) > 0 && angle > half + least &&
+                angle < 2. * half - 1e-3)
+              kinks.emplace_back(mesh.get_vertices()[v],
+                                 mesh.get_vertices()[v]);
+        }
+      return kinks;
     }
 
 
@@ -206,6 +237,17 @@ namespace Crevasse
   {
     const std::shared_ptr<Mesh<dim>> mesh  = make_mesh();
     const CrackFront<dim>            front = crack_front<dim>(*mesh, roles);
+    const double                     one_degree = numbers::PI / 180.;
+    const CrackFront<dim> kinks = kinks_of_lips<dim>(*mesh, roles, one_degree),
+                          sharp =
+                            kinks_of_lips<dim>(*mesh, roles, 20. * one_degree);
+    // The stress at kinks of a few degrees is hardly singular.
+    const auto front_at = [&](const unsigned int level) {
+      CrackFront<dim> all  = front;
+      const auto     &more = level % 2 == 0 ? kinks : sharp;
+      all.insert(all.end(), more.begin(), more.end());
+      return all;
+    };
     if (front.empty())
       throw SceneError(
         "[Refinement] Strategy = tip: the mesh has no crack tip, where a lip "
@@ -228,13 +270,13 @@ namespace Crevasse
         const unsigned int               largest = n_levels;
         for (n_levels = 0; n_levels < largest; ++n_levels)
           {
-            refine_front(*trial, roles, front);
+            refine_front(*trial, roles, front_at(n_levels));
             if (count_unknowns(*trial, degree) > parameters.target_unknowns)
               break;
           }
       }
     for (unsigned int level = 0; level < n_levels; ++level)
-      refine_front(*mesh, roles, front);
+      refine_front(*mesh, roles, front_at(level));
     return mesh;
   }
 
