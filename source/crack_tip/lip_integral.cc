@@ -29,6 +29,19 @@ namespace Crevasse
 
 
 
+    /** Coordinates of a point of a lip: a straight one is on the negative axis,
+     * on the side of its cell. */
+    Point<2>
+    local_of(const TipRegion &region,
+             const Point<2>  &point,
+             const Point<2>  &center)
+    {
+      return region.has_bends() ? region.tip.local(point)
+                                : region.tip.local(point, center);
+    }
+
+
+
     /** Calls f(cell, face number, values, √r of the points) for this rank's
      * faces on the lips of a tip, with values for the weight 1/√r. */
     template <typename Function>
@@ -121,7 +134,7 @@ namespace Crevasse
         for (const unsigned int q : values.quadrature_point_indices())
           {
             const Point<2> &point = values.quadrature_point(q);
-            const Point<2>  local = tip.local(point, cell->center());
+            const Point<2>  local = local_of(region, point, cell->center());
             points.push_back(
               {cell->face(f)->boundary_id(),
                point,
@@ -157,7 +170,7 @@ namespace Crevasse
         for (const unsigned int q : values.quadrature_point_indices())
           {
             const Point<2>    &point = values.quadrature_point(q);
-            const Point<2>     local = region.tip.local(point, cell->center());
+            const Point<2>     local = local_of(region, point, cell->center());
             const Tensor<1, 2> t     = force(
               {cell->face(f)->boundary_id(),
                    point,

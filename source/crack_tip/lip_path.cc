@@ -11,7 +11,9 @@ namespace Crevasse
 
   namespace
   {
-    constexpr double same_place = 1e-8;
+    /** Part of a face by which nodes of both lips may differ: those of refined
+     * curved cells are found by iteration. */
+    constexpr double same_place = 1e-5;
 
     /** Begin, middle and end of a face. */
     using Arc = std::array<Point<2>, 3>;

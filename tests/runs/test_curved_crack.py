@@ -96,6 +96,15 @@ def test_arc():
                       for K in EXACT), f"radius {radius}: within the printed errors")
 
 
+def test_small_cells():
+    """Lips are found, and K and T stay, where cells at the tips are 1e-5 of the arc: nodes
+    of both lips differ by more than rounding there, and so do forces of 1/r^2."""
+    coarse, fine = (compute("small", [f"Refinement/Cycles={n}"]) for n in (5, 11))
+    check_below(worst(coarse, fine), 1e-3, "K with cells 64 times as small")
+    check_below(max(abs(a["T_stress"] - b["T_stress"]) for a, b in zip(coarse, fine)),
+                1e-3, "T, of 0.01 far away")
+
+
 def test_loads_on_lips():
     """A pressure in the crack is the tension far away; lips that are pressed in all
     directions have no K."""
@@ -126,5 +135,6 @@ def test_polygon():
 
 if __name__ == "__main__":
     test_arc()
+    test_small_cells()
     test_loads_on_lips()
     test_polygon()
