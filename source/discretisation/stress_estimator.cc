@@ -12,6 +12,35 @@
 
 namespace Crevasse
 {
+  namespace
+  {
+    /** Voigt's norm of a compliance; that of an anisotropic one is made the
+     * same in all directions of the body: it has its tensor's norm, and its
+     * mean shear counts for what Voigt's norm adds. */
+    template <int dim>
+    double
+    norm_of_compliance(const VoigtMatrix<dim> &S)
+    {
+      constexpr unsigned int n   = n_stress_components<dim>;
+      double                 sum = 0., mean = 0., trace = 0.;
+      for (unsigned int i = 0; i < n; ++i)
+        for (unsigned int j = 0; j < n; ++j)
+          {
+            const double share = (i < 3 ? 1. : 0.5) * (j < 3 ? 1. : 0.5);
+            sum += share * S[i][j] * S[i][j];
+            if (i < dim && j < dim)
+              mean += S[i][j];
+            if (i == j && (i < dim || i >= 3))
+              trace += (i < 3 ? 1. : 0.5) * S[i][i];
+          }
+      const double shear =
+        2. * (trace - mean / dim) / (0.5 * dim * (dim + 1) - 1.);
+      return std::sqrt(sum + 0.75 * (n - 3) * shear * shear);
+    }
+  } // namespace
+
+
+
   template <int dim>
   StressEstimator<dim>::StressEstimator(const Space<dim>           &space,
                                         const QuadratureField<dim> &points,
@@ -151,7 +180,8 @@ namespace Crevasse
         transform(*material.stiffness,
                   points.n_local_points,
                   [&](const VoigtMatrix<dim> &K) {
-                    return inverse<dim>(K).norm() / material.stiffness_factor;
+                    return norm_of_compliance<dim>(inverse<dim>(K)) /
+                           material.stiffness_factor;
                   });
       values = cell_means(space, points, norms);
     });

@@ -161,6 +161,33 @@ def test_infinite_plate():
                         f"{degrees} degrees, {name}")
 
 
+def test_turned():
+    """A body that is turned has the same K and the same printed errors."""
+    width, found = 14, []
+    axes = [[*(-x for x in axis[:0:-1]), *axis] for axis in (
+        [x for x in points if x < width / 2] + [width / 2, width] for points in (SIDES, UP))]
+    for degrees in (0, 35):
+        turn = cracked.turned(degrees)
+        c, s = turn((1, 0))
+        mesh = cracked.write_block(
+            f"turned_{degrees}.msh", axes,
+            lambda middle, n: n == 1 and middle[1] == 0 and abs(middle[0]) < 1, turn)
+        side, up = (f"(if({x} > {width}-1e-6, 1, 0) - if({x} < 1e-6-{width}, 1, 0))"
+                    for x in (f"({c!r}*x + {s!r}*y)", f"({c!r}*y - {s!r}*x)"))
+        along, across = (f"({side}*{a} + {up}*{b})" for a, b in (FAR[::2], FAR[:0:-1]))
+        x, y = (width * part for part in (c, s))
+        found.append(run(PLATE.format(mesh=mesh, width=width, s=FAR, side=0, up=0), "turned", [
+            stiffness(*WOOD, 30 + degrees), "Refinement/Cycles=2",
+            f"Boundary/Fixed points={-x!r}, {-y!r}: 1, 2; {x!r}, {y!r}: 2",
+            f"Loads/Traction={c!r}*{along} - {s!r}*{across}; {s!r}*{along} + {c!r}*{across}",
+        ]).summary["crack_tips"])
+    for one, other in zip(*found):
+        for name in ("K_I", "K_II", "K_I_error", "K_II_error", "T_stress_error"):
+            a, b = (tip[name]["largest"] if name in ("K_I", "K_II") else tip[name]
+                    for tip in (one, other))
+            check_below(abs(a / b - 1), 1e-3, f"{name} of a turned body")
+
+
 def test_relaxation():
     """A relaxation time leaves the stress as it is; another viscosity is refused
     before anything is computed, as are asymmetric halves."""
@@ -181,7 +208,7 @@ def test_relaxation():
         check(status == 2 and words in error, error)
 
 
-TESTS = [test_energy_release, test_isotropic_limit, test_infinite_plate,
+TESTS = [test_energy_release, test_isotropic_limit, test_infinite_plate, test_turned,
          test_relaxation]
 
 if __name__ == "__main__":
