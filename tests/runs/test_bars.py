@@ -15,7 +15,7 @@ from mpi_environment import ENVIRONMENT
 
 os.environ["CREVASSE_PROGRAM"] = str(PROGRAM)
 import crevasse  # noqa: E402
-from crevasse.bars_companions import divided  # noqa: E402
+from crevasse.bars_companions import divided, order_of_scheme  # noqa: E402
 from crevasse.run_page import page  # noqa: E402
 
 ELASTIC = SOURCE / "prm/studies/crack_tip_elastic.prm"
@@ -254,6 +254,20 @@ def test_resumed():
     check(all(third[name] > second[name] for name in second), "companions of an old run")
 
 
+def test_order_with_friction():
+    """Schemes that step over the begin of slip have order 1."""
+    for scheme, located, creep, mu, order in (
+            ("heun", "false", "chain", "0", 2.), ("heun", "false", "chain", "0.3", 1.),
+            ("heun", "true", "chain", "0.3", 2.), ("automatic", "false", "chain", "0.3", 2.),
+            ("automatic", "false", "power law", "0.3", 1.),
+            ("automatic", "false", "none", "7: 0.3 | 8: x", 1.)):
+        found = order_of_scheme({"Time integration/Scheme": scheme,
+                                 "Time integration/Locate contact events": located,
+                                 "Material/Viscosity": creep,
+                                 "Boundary/Friction coefficient": mu})
+        check(found == order, f"{scheme}, {located}, {creep}, {mu}: {found}")
+
+
 @full
 def test_pressed_crack():
     """K_I of a closed inclined crack is 0: inside of the bars of all tips and meshes."""
@@ -313,6 +327,7 @@ test_force_beside_an_open_tip()
 test_refused_companions()
 test_failing_companion()
 test_resumed()
+test_order_with_friction()
 test_pressed_crack()
 test_stopped()
 test_ranks()

@@ -12,7 +12,7 @@ import re
 import shutil
 
 from crevasse.accuracy_tries import APART, PARTS, Mesh, Tries, Try
-from crevasse.bars_companions import ORDERS, steps, subdivided
+from crevasse.bars_companions import order_of_scheme, steps, subdivided
 from crevasse.bars_text import row
 from crevasse.command import CommandError, Parser, write_file
 from crevasse.quantities import has_crack
@@ -193,7 +193,7 @@ class Accuracy:
         """As known, or by the order of the scheme: kinks lower it, and then the runs of
         these steps show it."""
         known = max(k for k in self.parts_in_time if k <= times)
-        order = ORDERS.get(self.scene["Time integration/Scheme"], 2.)
+        order = order_of_scheme(self.scene)
         return self.parts_in_time[known] * (known / times) ** order * (
             WIDER if known == 1 < times else 1.)
 

@@ -10,6 +10,7 @@ import math
 from crevasse.quantities import has_crack, has_lip
 
 ORDERS = {"euler": 1.}  # of time schemes; all others have 2 or more
+LINEAR_CREEP = ("relaxation time", "isotropic", "matrix", "chain")
 SMALLEST_RATIO = 1.2  # of the sizes of cells, that a difference says something
 # Factors of safety: of Roache's grid convergence index; at a tip, where coarse meshes
 # have not reached their order; and where an adaptive mesh keeps cells of its companion.
@@ -31,6 +32,18 @@ def factor(ratio, order, safety=SAFETY):
     """Bar of a run as a multiple of its difference from a companion: errors c h^p of the
     run and c (ratio h)^p of the companion differ by |ratio^p - 1| c h^p."""
     return safety / abs(ratio ** order - 1.)
+
+
+def order_of_scheme(scene):
+    """Order in time: 1 with friction, whatever the scheme, where the instants at which
+    lips open, close and begin to slide are not located."""
+    scheme, creep = scene["Time integration/Scheme"], scene["Material/Viscosity"]
+    locates = creep != "none" and (
+        scene["Time integration/Locate contact events"] == "true"
+        or scheme == "automatic" and creep in LINEAR_CREEP)
+    if scene["Boundary/Friction coefficient"] != "0" and not locates:
+        return 1.
+    return ORDERS.get(scheme, 2.)
 
 
 class Choice:
@@ -86,7 +99,7 @@ class Choice:
         """Schemes have order 2 or more, but a lip's opening and closing are kinks, whose
         error depends on their place in the step, located or not: two runs show it
         with an order between 1 and 2."""
-        order = ORDERS.get(self.scene["Time integration/Scheme"], 2.)
+        order = order_of_scheme(self.scene)
         return min(order, 1.5) if has_lip(self.scene) else order
 
     def common(self):
