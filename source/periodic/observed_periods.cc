@@ -342,8 +342,12 @@ namespace Crevasse
     so_far.judged_error = limits.quantity == nullptr
                             ? error_estimate
                             : limits.quantity->error(error_estimate);
-    last.judged_error   = so_far.judged_error;
-    so_far.converged    = is_within_tolerance(so_far.judged_error);
+    if (slip != nullptr && limits.quantity == nullptr &&
+        std::isfinite(so_far.judged_error) &&
+        !(slip->error() <= so_far.judged_error)) // nan counts
+      so_far.judged_error = slip->error();
+    last.judged_error = so_far.judged_error;
+    so_far.converged  = is_within_tolerance(so_far.judged_error);
     for (Observer *observer : observers)
       observer->end_of_period(last);
   }

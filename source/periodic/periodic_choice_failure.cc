@@ -70,6 +70,10 @@ namespace Crevasse
       message << ", because adaptive steps do not repeat";
     else if (result.periods > 1 && result.return_defect > parameters.tolerance)
       message << ", because the viscous strain is not yet periodic";
+    else if (is_stress && std::isfinite(result.stress_error_estimate.back()) &&
+             !(error <= result.stress_error_estimate.back()))
+      message << ", because the slip that a period leaves on the lips does not "
+                 "repeat yet";
     if (quantity == "opening")
       message << ". A lip that a mean load opens further in each period has no "
                  "periodic opening";

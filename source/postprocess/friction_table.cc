@@ -2,6 +2,7 @@
 // Copyright (C) 2026 by the Crevasse authors
 
 #include <crevasse/base/text.h>
+#include <crevasse/lip/along_lips.h>
 #include <crevasse/postprocess/friction_table.h>
 
 #include <deal.II/base/mpi.h>
@@ -24,18 +25,19 @@ namespace Crevasse
 
 
   template <int dim>
-  FrictionTable<dim>::FrictionTable(const Body<dim>   &body,
-                                    const std::string &file_name,
-                                    const double       tolerance,
-                                    Log               &log)
+  FrictionTable<dim>::FrictionTable(const Body<dim>    &body,
+                                    const std::string  &file_name,
+                                    const NetSlip<dim> &net_slip,
+                                    const double        tolerance,
+                                    Log                &log)
     : body(body)
     , file_name(file_name)
+    , net_slip(net_slip)
     , tolerance(tolerance)
     , log(log)
   {
-    const auto &nodes = body.space.lip.nodes;
-    for (unsigned int i = 0; i < nodes.size(); ++i)
-      if (nodes[i].has_unknown())
+    for (const unsigned int i : nodes_along_lips(body.space.lip))
+      if (body.space.lip.nodes[i].has_unknown())
         places.push_back(i);
   }
 
@@ -127,6 +129,29 @@ namespace Crevasse
 
   template <int dim>
   double
+  FrictionTable<dim>::closed_part(const std::size_t moment,
+                                  const std::size_t pair) const
+  {
+    const Pair &begin = period[moment - 1].pairs[pair];
+    const Pair &end   = period[moment].pairs[pair];
+    if (begin.closed == 0. || end.closed == 1.)
+      return begin.closed;
+    constexpr double unknown = 0.5;
+    if (moment == 1 || period[moment - 2].pairs[pair].closed == 0.)
+      return unknown;
+    const double fall =
+                   period[moment - 2].pairs[pair].pressure - begin.pressure,
+                 before =
+                   period[moment - 1].instant - period[moment - 2].instant,
+                 step = period[moment].instant - period[moment - 1].instant;
+    return fall > 0. ? std::min(1., begin.pressure * before / (fall * step))
+                     : unknown;
+  }
+
+
+
+  template <int dim>
+  double
   FrictionTable<dim>::state(const std::size_t moment,
                             const std::size_t pair) const
   {
@@ -175,59 +200,85 @@ namespace Crevasse
 
 
   template <int dim>
+  typename FrictionTable<dim>::Totals
+  FrictionTable<dim>::totals() const
+  {
+    Totals all;
+    for (std::size_t p = 0; p < places.size(); ++p)
+      {
+        double path    = 0.;
+        bool   touches = false;
+        for (std::size_t m = 1; m < period.size(); ++m)
+          {
+            const Pair  &begin = period[m - 1].pairs[p];
+            const Pair  &end   = period[m].pairs[p];
+            const double part  = closed_part(m, p);
+            const auto   step  = part * slip(p, period[m - 1], period[m]);
+            touches            = touches || begin.closed + end.closed > 0.;
+            path += step.norm();
+            // The mean of both ends is of second order in the step.
+            for (unsigned int c = 0; c < dim - 1; ++c)
+              all.work -= 0.5 * (begin.traction[c] + end.traction[c]) *
+                          step[c] * body.space.lip.nodes[places[p]].weight;
+          }
+        all.closes = all.closes || touches;
+        if (path > all.longest)
+          {
+            all.longest    = path;
+            all.of_longest = p;
+          }
+        const double net = slip(p, period.front(), period.back()).norm();
+        if (touches && net > all.net)
+          {
+            all.net    = net;
+            all.of_net = p;
+          }
+      }
+    return all;
+  }
+
+
+
+  template <int dim>
   void
   FrictionTable<dim>::summarise(Summary &summary)
   {
     write();
-    double      work = 0., longest = 0., net = 0.;
-    std::size_t where  = 0;
-    bool        closes = false;
-    for (std::size_t p = 0; p < places.size(); ++p)
-      {
-        const auto &node = body.space.lip.nodes[places[p]];
-        double      path = 0.;
-        for (std::size_t m = 1; m < period.size(); ++m)
-          {
-            const Pair &begin = period[m - 1].pairs[p];
-            const Pair &end   = period[m].pairs[p];
-            const auto  step  = slip(p, period[m - 1], period[m]);
-            // The mean of both ends is of second order in the step.
-            for (unsigned int c = 0; c < dim - 1; ++c)
-              work -= 0.5 * (begin.traction[c] + end.traction[c]) * step[c] *
-                      node.weight;
-            closes = closes || begin.closed + end.closed > 0.;
-            if (begin.closed + end.closed == 2.)
-              path += step.norm();
-          }
-        if (path > longest)
-          {
-            longest = path;
-            where   = p;
-          }
-        net = std::max(net, slip(p, period.front(), period.back()).norm());
-      }
-    const std::string kind         = !closes            ? "open"
-                                     : longest <= least ? "shakedown"
-                                     : net > std::max(1e-3, 10. * tolerance) * longest
-                                       ? "ratchetting"
-                                       : "alternating slip";
+    const Totals all    = totals();
+    const double noise  = 3. * tolerance * net_slip.scale();
+    const bool   slides = all.longest > least;
+    const bool   ratchets =
+      slides && all.net > noise && all.net > 1e-3 * all.longest;
+    const std::string kind         = !all.closes ? "open"
+                                     : !slides   ? "shakedown"
+                                     : ratchets  ? "ratchetting"
+                                                 : "alternating slip";
     Summary          &friction     = summary["friction"];
-    friction["dissipation"]        = work;
-    friction["largest_slip_range"] = longest;
-    friction["net_slip"]           = net;
+    friction["dissipation"]        = all.work;
+    friction["largest_slip_range"] = all.longest;
+    friction["net_slip"]           = all.net;
     friction["kind"]               = kind;
     if (places.empty())
       return;
-    log.line(
-      "  friction: " + kind +
-      (!closes ? ", no lips touch in the period"
-       : longest <= least
-         ? ", closed lips stick throughout the period"
-         : ", lips slide by up to " + Text::from_number(longest, 3) +
-             " per period while closed, at " +
-             Text::from_point(body.space.lip.nodes[places[where]].point) +
-             ", and friction dissipates " + Text::from_number(work, 3) +
-             " per period"));
+    Text::Message message;
+    message << "  friction: " << kind;
+    const auto at = [&](const std::size_t pair) {
+      return ", at " +
+             Text::from_point(body.space.lip.nodes[places[pair]].point);
+    };
+    if (!all.closes)
+      message << ", no lips touch in the period";
+    else if (!slides)
+      message << ", closed lips stick throughout the period";
+    else
+      message << ", lips slide by up to " << Text::from_number(all.longest, 3)
+              << " per period while closed" << at(all.of_longest)
+              << ", and friction dissipates " << Text::from_number(all.work, 3)
+              << " per period";
+    if (ratchets)
+      message << "; each period leaves a slip of up to "
+              << Text::from_number(all.net, 3) << at(all.of_net);
+    log.line(message);
   }
 
 

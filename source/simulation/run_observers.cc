@@ -114,14 +114,17 @@ namespace Crevasse
                                                      run.evolution));
       }
 
-      void
+      NetSlip<dim> *
       add_friction()
       {
+        const auto net_slip = add(std::make_unique<NetSlip<dim>>(body.lip));
         add(std::make_unique<FrictionTable<dim>>(
           body,
           path("friction.csv"),
+          *net_slip,
           run.scene.periodic_state.tolerance,
           run.log));
+        return net_slip;
       }
 
       /** @param closure of the lip; null without contact. */
@@ -337,7 +340,7 @@ namespace Crevasse
     outputs.add_probes();
     closure = body.effects.contact.on ? outputs.add_lip(lip) : nullptr;
     if (body.friction)
-      outputs.add_friction();
+      net_slip = outputs.add_friction();
     else if (!body.space.roles.crack.empty())
       outputs.add(std::make_unique<SlipWhileClosed<dim>>(body, log));
     const Drift<dim> *const drift =

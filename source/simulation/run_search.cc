@@ -327,12 +327,16 @@ namespace Crevasse
        parameters.missions.empty() ? parameters.tolerance : 0.,
            quantity});
     periods.continue_from(before, !state.has_begun());
-    // Strain without stress matters to a march if a lip may touch.
-    if (body.effects.viscosity.on &&
+    // Strain without stress matters to a march if a lip may touch. With
+    // friction only chains with a spring return, where all strain causes
+    // stress.
+    if (body.effects.viscosity.on && !body.friction &&
         (split.strain_returns || body.law.has_spring()) &&
         choice.method != PeriodicMethodType::averaged &&
         (choice.method != PeriodicMethodType::march || body.effects.contact.on))
       periods.require_return(defect);
+    if (net_slip != nullptr)
+      periods.require_net_slip(*net_slip);
     // Infinite if no stress relaxes; then stress does not change either.
     const double slowness =
       std::isfinite(times.longest_in_mean)

@@ -7,6 +7,7 @@
 #include <crevasse/base/checkpointer.h>
 #include <crevasse/base/meters.h>
 #include <crevasse/periodic/converged_quantity.h>
+#include <crevasse/periodic/net_slip.h>
 #include <crevasse/periodic/return_defect.h>
 #include <crevasse/periodic/stress_history.h>
 #include <crevasse/time/integrator.h>
@@ -32,7 +33,8 @@ namespace Crevasse
     bool                      has_all_missions = false;
     /** ReturnDefect over the last period; 0 if it is ignored. */
     double return_defect = 0.;
-    /** Estimated error of the last period that the tolerance is for. */
+    /** Estimated error of the last period that the tolerance is for: with
+     * friction that of the net slip, if it is larger. */
     double judged_error = 0.;
     /** Where the stress changed most in the last period, for the log. */
     std::string place;
@@ -91,6 +93,16 @@ namespace Crevasse
     require_return(const ReturnDefect<dim> &return_defect)
     {
       defect = &return_defect;
+    }
+
+    /** Requires, where the stress ends the search, that the net slip of periods
+     * repeats, too.
+     *
+     * @param net_slip must outlive the ObservedPeriods. */
+    void
+    require_net_slip(const NetSlip<dim> &net_slip)
+    {
+      slip = &net_slip;
     }
 
     /** Begins another period, unless the search has converged or computed the
@@ -233,6 +245,7 @@ namespace Crevasse
     const SearchLimits             limits;
     bool                           is_comparable = true;
     const ReturnDefect<dim>       *defect = nullptr; ///< null: may not return
+    const NetSlip<dim>            *slip   = nullptr; ///< null: no friction
 
     /** Whether an estimated error of the stress ends the search. */
     bool

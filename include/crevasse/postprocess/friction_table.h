@@ -7,6 +7,7 @@
 #include <crevasse/base/csv_table.h>
 #include <crevasse/base/log.h>
 #include <crevasse/model/body.h>
+#include <crevasse/periodic/net_slip.h>
 #include <crevasse/time/observer.h>
 
 namespace Crevasse
@@ -17,7 +18,8 @@ namespace Crevasse
    * against it (in space, 2 in any direction), with its tangential jump, shear
    * traction and pressure; in space the sizes of both. For the summary, what a
    * period does: the work of friction, the slip of each pair and its net part,
-   * and what this is called.
+   * and what this is called. In the plane, pairs follow each other along each
+   * lip.
    */
   template <int dim>
   class FrictionTable : public Observer
@@ -25,11 +27,12 @@ namespace Crevasse
   public:
     /** Collective. References must outlive the FrictionTable.
      * @param file_name empty on ranks that do not write.
-     * @param tolerance of the periodic stress, which leaves some net slip. */
-    FrictionTable(const Body<dim>   &body,
-                  const std::string &file_name,
-                  const double       tolerance,
-                  Log               &log);
+     * @param tolerance of the net slip, relative to its scale. */
+    FrictionTable(const Body<dim>    &body,
+                  const std::string  &file_name,
+                  const NetSlip<dim> &net_slip,
+                  const double        tolerance,
+                  Log                &log);
 
     void
     observe(const Sample &sample) override;
@@ -69,6 +72,12 @@ namespace Crevasse
     double
     state(const std::size_t moment, const std::size_t pair) const;
 
+    /** Part of the step to a moment in which a pair slides while it is closed:
+     * all or nothing; or, where it opens, until its pressure vanishes at its
+     * last rate. A pair that closes sticks first. */
+    double
+    closed_part(const std::size_t moment, const std::size_t pair) const;
+
     /** Tangential jump of a pair at a moment less that at another one. */
     dealii::Tensor<1, dim - 1>
     slip(const std::size_t pair, const Moment &from, const Moment &to) const;
@@ -76,8 +85,21 @@ namespace Crevasse
     void
     write() const;
 
+    /** Largest values over the pairs that touch in the period, the numbers of
+     * the pairs, and the work of friction. */
+    struct Totals
+    {
+      double      work = 0., longest = 0., net = 0.;
+      std::size_t of_longest = 0, of_net = 0;
+      bool        closes = false;
+    };
+
+    Totals
+    totals() const;
+
     const Body<dim>          &body;
     const std::string         file_name;
+    const NetSlip<dim>       &net_slip;
     const double              tolerance;
     Log                      &log;
     std::vector<unsigned int> places;       ///< numbers of nodes in LipBasis

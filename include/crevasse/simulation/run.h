@@ -133,6 +133,7 @@ namespace Crevasse
     std::vector<std::unique_ptr<Observer>> observers;
     ConvergedQuantity *quantity = nullptr; ///< an observer; null: the stress
     LipClosure<dim>   *closure  = nullptr; ///< an observer; null: no contact
+    NetSlip<dim>      *net_slip = nullptr; ///< an observer; null: no friction
 
   private:
     /** Finds what describes the crack's tips or front. */
