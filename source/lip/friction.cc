@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Crevasse authors
 
+#include <crevasse/base/collectively.h>
 #include <crevasse/base/problems.h>
 #include <crevasse/base/text.h>
 #include <crevasse/lip/friction.h>
+
+#include <deal.II/dofs/dof_tools.h>
 
 namespace Crevasse
 {
@@ -11,14 +14,70 @@ namespace Crevasse
 
   template <int dim>
   Friction<dim>::Friction(const ContactBoundary<dim> &lip,
+                          const DoFHandler<dim>      &dof_handler,
                           const Temperature<dim>     &temperature,
-                          const Expression           &coefficient)
+                          const LoadFormulas         &coefficients)
     : lip(lip)
     , temperature(temperature)
-    , coefficient(coefficient)
-    , varies(coefficient.depends_on("t") ||
-             (coefficient.depends_on("theta") && temperature.depends_on_time()))
+    , formulas{Expression("0")}
+    , formula(lip.nodes.size())
   {
+    const auto &all = lip.basis.nodes;
+    for (const PlacedFormulas &placed : *coefficients)
+      {
+        const auto               &where = placed.boundaries;
+        std::vector<unsigned int> acts(all.size(), where.is_automatic ? 1 : 0);
+        if (!where.ids.empty())
+          {
+            const IndexSet dofs =
+              DoFTools::extract_boundary_dofs(dof_handler,
+                                              ComponentMask(),
+                                              where.ids);
+            for (unsigned int i = 0; i < all.size(); ++i)
+              acts[i] = dofs.is_element(all[i].sides[0]) ? 1 : 0;
+          }
+        Utilities::MPI::max(acts, lip.communicator(), acts);
+        for (unsigned int k = 0; k < lip.nodes.size(); ++k)
+          if (formula[k] == 0 && acts[lip.nodes[k].number] != 0)
+            formula[k] = formulas.size();
+        const Expression &mu = placed.components.front();
+        formulas.push_back(mu);
+        varies = varies || mu.depends_on("t") ||
+                 (mu.depends_on("theta") && temperature.depends_on_time());
+      }
+    if (!varies)
+      set(0., constant);
+  }
+
+
+
+  template <int dim>
+  double
+  Friction<dim>::coefficient(const unsigned int node, const double t) const
+  {
+    const Expression &mu    = formulas[formula[node]];
+    const Point<dim> &point = lip.nodes[node].point;
+    const double      value = mu.value(Place<dim>{
+           point, t, mu.depends_on("theta") ? temperature.value(point, t) : 0.});
+    if (value < 0.)
+      throw SceneError(
+        "[Boundary] Friction coefficient = " + mu.formula() + ": is " +
+        Text::from_number(value, 6) + " at " + Text::from_point(point) +
+        " and t = " + Text::from_number(t, 6) + "; it must be at least 0.");
+    return value;
+  }
+
+
+
+  template <int dim>
+  void
+  Friction<dim>::set(const double t, std::vector<double> &coefficients) const
+  {
+    coefficients.resize(lip.nodes.size());
+    collectively(lip.communicator(), [&]() {
+      for (unsigned int k = 0; k < coefficients.size(); ++k)
+        coefficients[k] = coefficient(k, t);
+    });
   }
 
 
@@ -27,23 +86,10 @@ namespace Crevasse
   void
   Friction<dim>::evaluate(const double t, FrictionState &state) const
   {
-    if (!varies && !state.coefficients.empty())
-      return;
-    const bool by_temperature = coefficient.depends_on("theta");
-    state.coefficients.resize(lip.nodes.size());
-    for (unsigned int k = 0; k < lip.nodes.size(); ++k)
-      {
-        const Point<dim> &point = lip.nodes[k].point;
-        const double      mu    = coefficient.value(Place<dim>{
-                  point, t, by_temperature ? temperature.value(point, t) : 0.});
-        if (mu < 0.)
-          throw SceneError(
-            "[Boundary] Friction coefficient = " + coefficient.formula() +
-            ": is " + Text::from_number(mu, 6) + " at " +
-            Text::from_point(point) + " and t = " + Text::from_number(t, 6) +
-            "; it must be at least 0.");
-        state.coefficients[k] = mu;
-      }
+    if (varies)
+      set(t, state.coefficients);
+    else if (state.coefficients.empty())
+      state.coefficients = constant;
   }
 
 

@@ -252,8 +252,8 @@ namespace Crevasse
           Expression(*scene.boundary.gap))
     , loads(space, strain_operator, scene.loads)
   {
-    if (space.lip.has_friction)
-      friction.emplace(lip, temperature, *scene.boundary.friction);
+    if (const auto &mu = scene.boundary.friction; space.lip.has_friction)
+      friction.emplace(lip, space.dof_handler, temperature, mu);
     require_materials(scene, *mesh);
     // Effects in the tables must agree with the computation.
     Assert((Effects::first_on(effects.free_strains) != nullptr) ==

@@ -96,7 +96,7 @@ namespace Crevasse
               ": a crack that is open without load may close at its tip, which "
               "the bound of the singular function forbids"};
     if (const auto &mu = scene.boundary.friction;
-        mu.is_valid() && !mu->is_zero())
+        mu.is_valid() && !are_zero(formulas_of(mu)))
       return {"[Boundary] Friction coefficient = " + mu.text(),
               ": these functions slide on the lips without friction"};
     return {};

@@ -84,7 +84,7 @@ namespace Crevasse
       }
     roles.has_friction = roles.has_contact() &&
                          parameters.friction.is_valid() &&
-                         !parameters.friction->is_zero();
+                         !are_zero(formulas_of(parameters.friction));
     return roles;
   }
 

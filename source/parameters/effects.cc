@@ -342,9 +342,9 @@ namespace Crevasse
            formulas);
     for (const auto &force : scene.loads.forces())
       append(force.formulas(), formulas);
-    append({*scene.boundary.friction}, formulas);
-    for (const PlacedFormulas &placed : *scene.loads.displacement)
-      append(placed.components, formulas);
+    for (const auto *values :
+         {&scene.boundary.friction, &scene.loads.displacement})
+      append(formulas_of(*values), formulas);
     if (temperature)
       formulas.push_back(*temperature);
 

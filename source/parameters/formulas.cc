@@ -131,13 +131,15 @@ namespace Crevasse
 
 
 
-  Formula::Parser
-  FormulaParsers::friction_formula() const
+  Formulas::Parser
+  FormulaParsers::friction_coefficient() const
   {
-    return formula_parser("[Boundary] Friction coefficient",
-                          Variables::space_time_and_temperature,
-                          {0., Ranges::largest, "at least 0"},
-                          tables);
+    return [parse = formula_parser("[Boundary] Friction coefficient",
+                                   Variables::space_time_and_temperature,
+                                   {0., Ranges::largest, "at least 0"},
+                                   tables)](const std::string &text) {
+      return std::vector<Expression>{parse(text)};
+    };
   }
 
 

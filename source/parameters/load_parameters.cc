@@ -3,7 +3,6 @@
 
 #include <crevasse/base/range.h>
 #include <crevasse/base/text.h>
-#include <crevasse/parameters/checker.h>
 #include <crevasse/parameters/load_parameters.h>
 
 #include <functional>
@@ -190,7 +189,7 @@ namespace Crevasse
 
 
   std::vector<Expression>
-  LoadParameters::Force::formulas() const
+  formulas_of(const LoadFormulas &values)
   {
     std::vector<Expression> all;
     for (const PlacedFormulas &placed : *values)
@@ -237,36 +236,49 @@ namespace Crevasse
 
 
   void
+  check_boundaries(const Checker                              &checker,
+                   const char                                 *parameter,
+                   const LoadFormulas                         &values,
+                   const std::string                          &role,
+                   const std::set<dealii::types::boundary_id> &allowed)
+  {
+    std::set<dealii::types::boundary_id> seen;
+    if (!values.is_valid())
+      return;
+    for (const PlacedFormulas &placed : *values)
+      {
+        checker.demand(placed.boundaries.names.empty(),
+                       parameter,
+                       "names of boundaries need a mesh file with named "
+                       "groups; otherwise these must be boundary ids, as in 3: "
+                       "0; 10 | 4: 0; -10");
+        for (const auto id : placed.boundaries.ids)
+          {
+            const std::string name = "the boundary id " + std::to_string(id);
+            checker.demand(allowed.count(id) > 0,
+                           parameter,
+                           name + " must have the role " + role +
+                             " ([Boundary] " + role + ")");
+            checker.demand(seen.insert(id).second,
+                           parameter,
+                           name + " must have one value only");
+          }
+      }
+  }
+
+
+
+  void
   LoadParameters::check_boundaries(const BoundaryRoles &roles,
                                    Problems            &problems) const
   {
     const Checker checker(section, problems);
     for (const LoadOnBoundaries &load : loads_on_boundaries)
-      {
-        std::set<dealii::types::boundary_id> seen;
-        if (!(this->*load.values).is_valid())
-          continue;
-        for (const PlacedFormulas &placed : *(this->*load.values))
-          {
-            checker.demand(placed.boundaries.names.empty(),
-                           load.parameter,
-                           "names of boundaries need a mesh file with named "
-                           "groups; otherwise these must be boundary ids, as "
-                           "in 3: 0; 10 | 4: 0; -10");
-            for (const auto id : placed.boundaries.ids)
-              {
-                const std::string name =
-                  "the boundary id " + std::to_string(id);
-                checker.demand((roles.*load.ids).count(id) > 0,
-                               load.parameter,
-                               name + " must have the role " + load.role +
-                                 " ([Boundary] " + load.role + ")");
-                checker.demand(seen.insert(id).second,
-                               load.parameter,
-                               name + " must have one value only");
-              }
-          }
-      }
+      Crevasse::check_boundaries(checker,
+                                 load.parameter,
+                                 this->*load.values,
+                                 load.role,
+                                 roles.*load.ids);
     if (displacement.is_valid() && displacement_rate.is_valid())
       check_displaced(roles, problems);
   }

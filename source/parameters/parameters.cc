@@ -197,7 +197,8 @@ namespace Crevasse
       "lip and a rigid plane: they slide only where the shear stress reaches "
       "this coefficient times the pressure. Allowed: 0 (no friction), a "
       "greater number, or a formula of x, y, z, t, theta with values of at "
-      "least 0",
+      "least 0; or such values by boundary, as in 7: 0.3 | 8: 0.1*x (0 on "
+      "other lips)",
       prm);
   }
 

@@ -142,10 +142,17 @@ namespace Crevasse
       if (Parsed<BoundaryList> &list = scene.boundary.*role.list;
           list.is_valid())
         with_ids(BoundaryParameters::section, role.name, list.edit());
+    const auto place =
+      [&](const char *section, const char *parameter, LoadFormulas &values) {
+        if (values.is_valid())
+          for (PlacedFormulas &placed : values.edit())
+            with_ids(section, parameter, placed.boundaries);
+      };
     for (const LoadOnBoundaries &load : loads_on_boundaries)
-      if (LoadFormulas &values = scene.loads.*load.values; values.is_valid())
-        for (PlacedFormulas &placed : values.edit())
-          with_ids(LoadParameters::section, load.parameter, placed.boundaries);
+      place(LoadParameters::section, load.parameter, scene.loads.*load.values);
+    place(BoundaryParameters::section,
+          "Friction coefficient",
+          scene.boundary.friction);
   }
 
 

@@ -3,6 +3,7 @@
 
 #include <crevasse/parameters/built_in_boundary.h>
 #include <crevasse/parameters/checker.h>
+#include <crevasse/parameters/effects.h>
 #include <crevasse/parameters/scene.h>
 
 namespace Crevasse
@@ -23,6 +24,18 @@ namespace Crevasse
         "must be 0 for a built-in shape: its crack lies in a plane "
         "of symmetry, where nothing slides; use a mesh file with "
         "[Boundary] Crack");
+      std::set<dealii::types::boundary_id> lips = roles.contact;
+      lips.insert(roles.crack.begin(), roles.crack.end());
+      check_boundaries(boundary,
+                       "Friction coefficient",
+                       scene.boundary.friction,
+                       "Crack or Contact",
+                       lips);
+      boundary.demand(!depend_on("theta",
+                                 formulas_of(scene.boundary.friction)) ||
+                        has_temperature(scene.loads),
+                      "Friction coefficient",
+                      "must not depend on theta without [Loads] Temperature");
       const Checker tip(CrackTipParameters::section, problems);
       tip.demand(scene.crack_tip.method != StressIntensityMethod::williams_fit,
                  "Method",

@@ -35,9 +35,11 @@ namespace Crevasse
       const bool                is_plane   = scene.dimension == 2;
       const bool                from_file  = shape == Shape::mesh_file;
       const bool has_matrix = !material.stiffness_matrix.text().empty();
-      const bool theta_acts = has_thermal_expansion(material) ||
-                              material_depends_on("theta", material) ||
-                              scene.crack_tip.depend_on_temperature();
+      const bool theta_acts =
+        has_thermal_expansion(material) ||
+        material_depends_on("theta", material) ||
+        scene.crack_tip.depend_on_temperature() ||
+        depend_on("theta", formulas_of(scene.boundary.friction));
       std::string surface_forces;
       bool        has_surface_force = false;
       for (const auto &force : scene.loads.forces())

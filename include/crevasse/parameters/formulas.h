@@ -62,9 +62,9 @@ namespace Crevasse
     gap_formula() const;
 
     /** Parses a coefficient of friction: a formula of point, instant and
-     * temperature, with values of at least 0. */
-    Formula::Parser
-    friction_formula() const;
+     * temperature, with values of at least 0; a list of one. */
+    Formulas::Parser
+    friction_coefficient() const;
 
     /** Parses a chain: "fraction: time; fraction: time". */
     std::function<std::vector<ChainBranch>(const std::string &)>

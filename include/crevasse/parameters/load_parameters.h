@@ -5,6 +5,7 @@
 #define crevasse_parameters_load_parameters_h
 
 #include <crevasse/parameters/boundary_roles.h>
+#include <crevasse/parameters/checker.h>
 #include <crevasse/parameters/formulas.h>
 
 namespace Crevasse
@@ -26,6 +27,19 @@ namespace Crevasse
   };
 
   using LoadFormulas = Parsed<std::vector<PlacedFormulas>>;
+
+  /** Formulas of all boundaries. */
+  std::vector<Expression>
+  formulas_of(const LoadFormulas &values);
+
+  /** Checks the boundaries that have values of their own.
+   * @param allowed boundaries with the role that they must have. */
+  void
+  check_boundaries(const Checker                              &checker,
+                   const char                                 *parameter,
+                   const LoadFormulas                         &values,
+                   const std::string                          &role,
+                   const std::set<dealii::types::boundary_id> &allowed);
 
   /** Formulas that act on a boundary, or null. */
   const PlacedFormulas *
@@ -81,7 +95,10 @@ namespace Crevasse
 
       /** Formulas of all boundaries. */
       std::vector<Expression>
-      formulas() const;
+      formulas() const
+      {
+        return formulas_of(values);
+      }
     };
 
     /** All forces: code that handles one handles each. */

@@ -79,8 +79,8 @@ namespace Crevasse
     Parsed<FixedPointList> fixed_points{"automatic", parse_fixed_points};
     /** Lower bound of u_N on the lip. */
     Formula gap{"0", gap_formula()};
-    /** Coefficient of Coulomb's friction on lips that touch. */
-    Formula friction{"0", friction_formula()};
+    /** Coefficients of Coulomb's friction on lips that touch. */
+    LoadFormulas friction{"0", on_boundaries(friction_coefficient())};
 
     void
     add_parameters(dealii::ParameterHandler &prm);
