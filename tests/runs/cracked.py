@@ -39,8 +39,8 @@ def write_block(path, axes, is_crack, place=lambda point: point,
                 material=lambda middle: 1):
     """A mesh of the product of axes, lists of two or three coordinates each.
 
-    is_crack(middle, normal axis) says which faces are cracks; place moves the
-    nodes; both, and material, are given places before that."""
+    is_crack(middle, normal axis) says which faces are cracks, or their group; place
+    moves the nodes; both, and material, are given places before that."""
     dim = len(axes)
     shape = [len(axis) for axis in axes]
 
@@ -79,8 +79,8 @@ def write_block(path, axes, is_crack, place=lambda point: point,
         free = tuple(d for d in every if d != normal)
         ranges = [range(n if d == normal else n - 1) for d, n in enumerate(shape)]
         for index in itertools.product(*ranges):
-            if is_crack(middle(index, free), normal):
-                group = CRACK
+            if crack := is_crack(middle(index, free), normal):
+                group = CRACK if crack is True else crack
             elif index[normal] in (0, shape[normal] - 1):
                 group = 2 * normal + 1 + (index[normal] > 0)
             else:

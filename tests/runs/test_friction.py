@@ -5,8 +5,8 @@ not change it."""
 import math
 
 import cracked
-from crevasse_run import (check, check_below, check_close, execute, full, overrides, run,
-                          run_on, tier)
+from crevasse_run import (SOURCE, check, check_below, check_close, execute, execute_on, full,
+                          overrides, run, run_on, tier)
 
 HALF = 8.  # of the side of the plate; that of the crack is 1
 N = 12     # cells along half a crack
@@ -103,6 +103,42 @@ def test_shielding():
     check_close(max(sliding(two)) / reference[0], 0.375, 1e-9, "K_II on two processes")
 
 
+def test_coefficients_by_crack():
+    """Coefficients by boundary are those of a formula of the place; a node where two
+    boundaries meet has the first one."""
+    text = scene("by_crack", "sin(pi*t)^2", "0.8*sin(pi*t)^2")
+    cracked.write_block(
+        "by_crack.msh", (grid(N), grid(N)),
+        lambda middle, normal: (normal == 1 and middle[1] == 0 and abs(middle[0]) < 1
+                                and (cracked.CRACK if middle[0] < 0 else 8)))
+    crack = f"Boundary/Crack={cracked.CRACK}, 8"
+    one = run(text, "by_crack", [crack, friction("7: 0.2 | 8: 0.5 + 0*t")])
+    other = run("by_crack.prm", "by_place", [crack, friction("if(x < 1e-9, 0.2, 0.5)")])
+    half = run("by_crack.prm", "on_one", [crack, friction("8: 0.5")])
+    none = run("by_crack.prm", "elsewhere_0", [crack, friction("8: 0.5 | 7: 0")])
+    size = max(map(abs, sliding(one)))
+    for a, b, what in ((one, other, "by place"), (half, none, "0 where none is given")):
+        check_below(max(abs(x - y) for tip in (1, 2) for x, y in
+                        zip(sliding(a, tip), sliding(b, tip), strict=True)) / size, 1e-13,
+                    f"coefficients {what}")
+    check(max(map(abs, sliding(half))) > 1.05 * size, "7 bears no friction")
+    for mu, message in (("9: 0.3", "the boundary id 9 must have the role Crack or Contact"),
+                        ("7: 0.3 | 7: 0.2", "must have one value only"),
+                        ("7: 0.3 | 0.2", "must begin with its boundaries"),
+                        ("7: -0.3 | 8: 0.2", "must be at least 0")):
+        status, _, error = execute("by_crack.prm", "--output", "results/refused",
+                                   *overrides([crack, friction(mu)]))
+        check(status == 2 and message in error, f"{mu}: {status}, {error}")
+
+
+def test_negative_on_one_rank():
+    """A coefficient that is negative on one rank, at some instant, ends all ranks."""
+    mu = "if(x > 0.9, 0.4 - t, 0.3)"
+    status, _, error = execute_on(2, "shield.prm", "--output", "results/negative",
+                                  *overrides([friction(mu)]))
+    check(status == 2 and "must be at least 0" in error, f"{status}: {error}")
+
+
 def test_no_friction():
     """A coefficient that is 0 here and now is the run without friction."""
     text = scene("none", "1 - 2*sin(2*pi*t)", "0.8*cos(2*pi*t)")
@@ -158,12 +194,35 @@ def test_partial_slip():
         table = results.table("friction.csv")
         slip = {round(x, 9): q for t, x, q in zip(table["t"], table["x"], table["slip"],
                                                   strict=True) if t == 0.25}
+        first = [x for t, x in zip(table["t"], table["x"], strict=True) if t == 0.]
+        check(first == sorted(first), "rows follow the lip")
         theta = math.pi * ratio / 2
         exact = 8 * c / (math.pi * E) * math.atanh(math.sin(theta))
         check_close(slip[0.] / exact, 1., tier(2e-2, 5e-3), f"slip in the middle, {ratio}")
         moved = max(x for x, q in slip.items() if abs(q) > 1e-9)
         check_below(abs(moved + 0.5 / n - c / math.cos(theta)), 1.01 / n,
                     f"end of the slip, {ratio}")
+
+
+def test_fretting():
+    """The shipped scene of partial slip, against Hertz, Cattaneo and Mindlin: forces that
+    are the sums of its tractions give the largest pressure and the zone that sticks."""
+    results = run(SOURCE / "prm/fretting.prm", "fretting", ["Output/Fields=none"])
+    table = results.table("friction.csv")
+    x, p, q = ([value for t, value in zip(table["t"], table[name], strict=True)
+                if abs(t - 0.25) < 1e-9]
+               for name in ("x", "normal_pressure", "tangential_traction"))
+    width = [(x[min(i + 1, len(x) - 1)] - x[max(i - 1, 0)]) / 2 for i in range(len(x))]
+    P, Q = (sum(map(math.prod, zip(width, values, strict=True))) for values in (p, q))
+    modulus, radius, mu = 210000 / (2 * (1 - 0.3 ** 2)), 50, 0.5
+    a = math.sqrt(4 * P * radius / (math.pi * modulus))
+    check_close(max(p) / (2 * P / (math.pi * a)), 1, 2e-2, "largest pressure")
+    sticks = [abs(place) for place, pressure, shear in zip(x, p, q, strict=True)
+              if pressure > 1e-6 * max(p) and abs(shear) < mu * pressure * (1 - 1e-9)]
+    check_close(max(sticks) / a, math.sqrt(1 - abs(Q) / (mu * P)), 0.02 / a,
+                "half width of the zone that sticks")
+    check(results.summary["friction"]["kind"] == "alternating slip",
+          results.summary["friction"])
 
 
 def test_memory():
@@ -176,6 +235,40 @@ def test_memory():
                 "K_II for good")
     check(results.summary["friction"]["kind"] == "shakedown",
           results.summary["friction"])
+
+
+def test_stop():
+    """A march ends when both the stress and the net slip of a period repeat: not with the
+    stress alone, and also where the lips ratchet."""
+    settings = """
+subsection Time integration
+  set Scheme           = sdirk2
+  set Steps per period = 20
+end
+subsection Periodic state
+  set Maximum periods = 40
+  set Tolerance       = 1e-2
+end
+"""
+    slow = run(scene("slow_slip", "1 + 0.5*sin(2*pi*t) + 0.4*x", "0.5*cos(2*pi*t) + 0.2",
+                     settings, viscosity="chain\n  set Chain = 0.7: 0.6", n=5),
+               "slow_slip", [friction(0.4)])
+    estimates = slow.table("periods.csv")["stress_error_estimate"]
+    stress = next(k for k, error in enumerate(estimates, 1) if error <= 1e-2)
+    print(f"stress within the tolerance after {stress} periods, slip after {len(estimates)}")
+    check(slow.summary["converged"] and stress + 2 <= len(estimates), "slip is periodic")
+    more = run("slow_slip.prm", "slow_slip_more", [
+        friction(0.4), "Periodic state/Tolerance=0", "Periodic state/Maximum periods=22"])
+    check_below((slow.summary["friction"]["net_slip"] - more.summary["friction"]["net_slip"])
+                / more.summary["friction"]["largest_slip_range"], 1e-2, "error of the slip")
+    ratchets = run(scene("ratchet", "1 + 0.4*sin(2*pi*t)", "0.8", settings,
+                         viscosity="chain\n  set Chain = 1: 0.5", n=5),
+                   "ratchet", [friction(0.5)])
+    found = ratchets.summary["friction"]
+    check(ratchets.summary["converged"] and found["kind"] == "ratchetting", found)
+    check_close(found["net_slip"] / found["largest_slip_range"], 1, 1e-6, "net slip")
+    log = (ratchets.directory / "log.txt").read_text()
+    check("each period leaves a slip of up to" in log, "the log has the rate")
 
 
 def test_relaxation():
@@ -323,7 +416,8 @@ def test_refused():
             (["Discretisation/Singular functions=1"], "slide on the lips"),
             (["Crack tip/Method=williams fit"], "for lips without shear"),
             (["Crack tip/Creep integral=true"], "does not include"),
-            (["Boundary/Friction coefficient=x"], "must be at least 0")):
+            (["Boundary/Friction coefficient=x"], "must be at least 0"),
+            (["Boundary/Friction coefficient=0.3+0.01*theta"], "without [Loads] Temp")):
         status, _, error = execute(
             "shield.prm", "--output", "results/refused",
             *overrides([friction(0.5), "Material/Viscosity=chain", "Material/Chain=0.5: 1",
@@ -331,7 +425,8 @@ def test_refused():
         check(status == 2 and message in error, f"{settings}: {status}, {error}")
 
 
-for test in (test_shielding, test_no_friction, test_pulsating_compression,
-             test_partial_slip, test_memory, test_relaxation, test_jump, test_order,
+for test in (test_shielding, test_coefficients_by_crack, test_negative_on_one_rank,
+             test_no_friction, test_pulsating_compression, test_partial_slip,
+             test_fretting, test_memory, test_stop, test_relaxation, test_jump, test_order,
              test_rigid_plane, test_refused):
     test()

@@ -4,7 +4,7 @@
 """Draws the figures of a results directory. Of a run: figures 1 to 6 of Raous
 (1980), section 7: the mesh; stress and opening at a probe over one period; level
 curves of the stress, principal stresses and second invariant of the deviator at one
-instant. Of a sweep: each result that varies, such as K_I, against the parameter; errors
+instant; with friction, where lips stick and slide. Of a sweep: each result that varies, such as K_I, against the parameter; errors
 against costs. Of a life: its path, crack length over periods, growth, K and C*. Exit
 status: 0 done, 2 nothing to draw, 4 a file cannot be written."""
 
@@ -12,7 +12,8 @@ import argparse
 import pathlib
 import sys
 
-from crevasse import field_figures, life_figures, probe_figures, sweep_figures
+from crevasse import (field_figures, friction_figure, life_figures, probe_figures,
+                      sweep_figures)
 from crevasse.fields import Fields
 from crevasse.plotting import save
 from crevasse.results import ResultsError
@@ -96,6 +97,8 @@ def run_drawings(options):
         print(f"crevasse figures: damaged: {damage}", file=sys.stderr)
     yield from probe_drawings(run, options)
     yield from field_drawings(run, options)
+    if "friction.csv" in run.tables:
+        yield "friction", friction_figure.over_time(run)
 
 
 def main(words):

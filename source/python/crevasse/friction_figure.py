@@ -14,8 +14,12 @@ STATES = {-2: ("slides back", VERMILION), 0: ("open", "#e8e8e8"), 1: ("sticks", 
           2: ("slides forth", BLUE)}
 
 
+def at_place(place):
+    return "(" + ", ".join(f"{x:.3g}" for x in place) + ")"
+
+
 def over_time(run):
-    """Figure with a panel for each lip: distance along it against time."""
+    """Figure with a panel for each lip: length along it against time."""
     table = run.tables["friction.csv"]
     lips = numpy.unique(table["lip"])
     figure, panels = pyplot.subplots(len(lips), 1, figsize=(7, 1 + 2.4 * len(lips)),
@@ -24,19 +28,25 @@ def over_time(run):
         of_lip = table["lip"] == lip
         t, x, y, state = (table[name][of_lip] for name in ("t", "x", "y", "state"))
         instants = numpy.unique(t)
-        # All instants have the nodes in the same order.
+        # All instants have the nodes in their order along the lip.
         n = len(t) // len(instants)
         places = numpy.column_stack((x, y))[:n]
-        far = places[numpy.hypot(*(places - places[0]).T).argmax()]
-        distance = numpy.hypot(*(places - far).T)
-        order = distance.argsort()
-        numbers = numpy.searchsorted(list(STATES), state.reshape(-1, n)[:, order])
-        axes.pcolormesh(instants, distance[order], numbers.T, shading="nearest",
+        steps = numpy.hypot(*numpy.diff(places, axis=0).T)
+        along = numpy.concatenate(([0], steps.cumsum()))
+        numbers = numpy.searchsorted(list(STATES), state.reshape(-1, n)).T
+        axes.pcolormesh(instants, along, numbers, shading="nearest",
                         cmap=ListedColormap([colour for _, colour in STATES.values()]),
                         vmin=-0.5, vmax=len(STATES) - 0.5)
-        begin = ", ".join(f"{x:.4g}" for x in far)
-        axes.set(ylabel=run.in_units(f"distance from ({begin}) (length)"),
-                 title=f"lip {lip:g}" if len(lips) > 1 else "")
+        axes.set_ylabel(run.in_units("along the lip (length)"))
+        # Pairs that touch, and a pair more on both sides.
+        touches = numpy.flatnonzero((state.reshape(-1, n) != 0).any(axis=0))
+        ends = [max(touches[0] - 1, 0), min(touches[-1] + 1, n - 1)] if len(
+            touches) else [0, n - 1]
+        axes.set_ylim(along[ends])
+        axes.secondary_yaxis("right").set_yticks(
+            along[ends], [at_place(place) for place in places[ends]])
+        if len(lips) > 1:
+            axes.set_title(f"lip {lip:g}")
     panels[-1, 0].set_xlabel(run.in_units("t (time)"))
     panels[0, 0].legend(handles=[patches.Patch(facecolor=colour, edgecolor=GREY, label=name)
                                  for name, colour in STATES.values()],
