@@ -77,9 +77,10 @@ def mixed_mode_charts(run, name):
                     f"{kind}{tip}" for kind in ("K_I_largest", "K_II_largest",
                                                 "equivalent_intensity")))
     rests = table["equivalent_intensity"] <= ROUNDING * largest_kind
-    yield chart(run, table | {"growth_angle": numpy.where(
-        rests, 0, table["growth_angle"])}, ["growth_angle"], "degrees from the crack",
-        "Direction of growth by the largest hoop stress")
+    if not numpy.isnan(table["growth_angle"]).any():  # known in one isotropic body
+        yield chart(run, table | {"growth_angle": numpy.where(
+            rests, 0, table["growth_angle"])}, ["growth_angle"],
+            "degrees from the crack", "Direction of growth by the largest hoop stress")
     yield chart(run, table, ["energy_release_rate"], "force / length",
                 "Energy release rate")
 
