@@ -76,15 +76,14 @@ namespace Crevasse
 
 
 
-  AuxiliaryField::AuxiliaryField(const CrackTip     &tip,
-                                 const CrackMode     mode,
-                                 const Point<2>     &local,
-                                 const SquareWeight &weight)
+  AuxiliaryField::AuxiliaryField(const CrackTip      &tip,
+                                 const Point<2>      &local,
+                                 const SquareWeight  &weight,
+                                 const BuecknerField &field)
   {
     const auto f = weight.factor(local[0]), g = weight.factor(local[1]);
     if (f[0] == 0. || g[0] == 0.)
       return;
-    const BuecknerField field(local, mode, tip.two_lips);
     const auto &[Phi, rest, airy, along, mean, half_difference] = field;
 
     const double q = f[0] * g[0], q_1 = f[1] * g[0], q_2 = f[0] * g[1];

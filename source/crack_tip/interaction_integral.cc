@@ -91,21 +91,24 @@ namespace Crevasse
     , mode(mode)
     , kappa_of_ring(squares.kappa_of_ring)
     , anisotropic(squares.anisotropic)
+    , interface(squares.interface)
+    , is_closed(squares.is_closed)
     , loads(loads)
     , body_force(components_in_volume(loads))
     , of_contact_forces(
-        !region.has_bends() && (mode == CrackMode::opening ||
-                                (mode == CrackMode::sliding && body.friction))
+        !region.has_bends() && interface == nullptr &&
+            (mode == CrackMode::opening ||
+             (mode == CrackMode::sliding && body.friction))
           ? lip_integral(body, region, region.weight(squares.size))
           : std::vector<double>())
   {
     if (kappa_of_ring > 0.)
       for (double &factor : of_contact_forces)
         factor /= region.tip.position[0];
-    if (region.has_bends())
+    if (region.has_bends() || interface != nullptr)
       integrate_over_bends(squares.size);
     integrate_over_cells(squares);
-    balance(integrate_over_lips(squares.size));
+    balance(integrate_over_lips(squares.size), squares.size);
   }
 
 
@@ -116,6 +119,8 @@ namespace Crevasse
   {
     if (anisotropic != nullptr)
       return anisotropic->auxiliary(region.tip, mode, local, weight);
+    if (interface != nullptr)
+      return interface->auxiliary(region.tip, mode, local, weight, is_closed);
     AuxiliaryField field;
     if (kappa_of_ring == 0.)
       { // without the weight x of rings, if there are any
@@ -277,18 +282,18 @@ namespace Crevasse
   double
   InteractionIntegral::value(const double            t,
                              const Sample           &sample,
+                             const ContactForces    &contact_forces,
                              const MaterialState<2> &material,
                              const TipElasticity    &at_tip) const
   {
-    const double of_uniform = of_uniform_body(sample.state.stress,
-                                              sample.state.contact_forces,
-                                              at_tip.kappa());
-    const bool   creeps     = has_creep && sample.viscous_strain.size() > 0;
-    double       sum        = of_forces(t, at_tip.kappa());
+    const double of_uniform =
+      of_uniform_body(sample.state.stress, contact_forces, at_tip.kappa());
+    const bool creeps = has_creep && sample.viscous_strain.size() > 0;
+    double     sum    = of_forces(t, at_tip.kappa());
     if (creeps || !material.stiffness->is_uniform() ||
         material.thermal_strain != nullptr)
       sum += of_variation(sample, material, at_tip, creeps);
-    if (region.has_bends())
+    if (of_displacement.size() > 0)
       {
         // Without openings, which of_displacement has as further unknowns.
         const Vector nodal = body.nodal_displacement(sample.state.displacement,
@@ -327,7 +332,7 @@ namespace Crevasse
         const PlaneCompliance &law    = laws[kernel.point];
         const VoigtVector<2>   of_tip = kappa_of_ring > 0.
                                           ? at_tip.isotropic.strain_with_hoops(s)
-                                          : at_tip.strain(s);
+                                          : at_tip.strain(s, is_below(kernel));
         VoigtVector<2>         strain = (law.of_stress * s - of_tip) / k;
         if (material.thermal_strain != nullptr)
           strain += law.free_strain((*material.thermal_strain)[kernel.point]);

@@ -77,7 +77,7 @@ namespace Crevasse
 
 
   void
-  InteractionIntegral::integrate_over_bends(const double size)
+  InteractionIntegral::integrate_displacement(const double size)
   {
     const SquareWeight weight = region.weight(size);
     Tensor<1, 2>       total;
@@ -105,6 +105,16 @@ namespace Crevasse
                 of_displacement.in_local_range(dof) &&
                 of_tip.insert(dof).second)
               of_displacement(dof) -= total[d];
+  }
+
+
+
+  void
+  InteractionIntegral::integrate_over_bends(const double size)
+  {
+    const SquareWeight weight = region.weight(size);
+    if (region.has_bends() || is_closed)
+      integrate_displacement(size);
     // A pressure of contact acts along the normal.
     for (const unsigned int k : {0, 1})
       {
@@ -124,8 +134,9 @@ namespace Crevasse
   VoigtVector<2>
   InteractionIntegral::what_lips_bear(const VoigtVector<2> &of_stress) const
   {
-    if (mode == CrackMode::constant)
-      return {}; // uniform stress has a T
+    // Uniform stress has a T, and does not exist in two bodies.
+    if (mode == CrackMode::constant || interface != nullptr)
+      return {};
     VoigtVector<2> factors = of_stress;
     if (kappa_of_ring > 0.)
       {
@@ -151,46 +162,77 @@ namespace Crevasse
 
 
 
+  VoigtVector<2>
+  InteractionIntegral::strain_factor_above(const double size) const
+  {
+    // τ is in equilibrium: only the interface bears it, as r^(−3/2).
+    const SquareWeight weight = region.weight(size);
+    const QGauss<1>    rule(64);
+    VoigtVector<2>     sum;
+    for (unsigned int q = 0; q < rule.size(); ++q)
+      {
+        const double   root = rule.point(q)[0], r = root * root * size;
+        const Point<2> local(r, 0.);
+        sum += rule.weight(q) * 2. * root * size *
+               moment(r * region.tip.ahead,
+                      traction(field_at(local, weight).of_strain,
+                               -region.tip.inward));
+      }
+    return sum;
+  }
+
+
+
   void
-  InteractionIntegral::balance(const std::array<VoigtVector<2>, 2> &lips)
+  InteractionIntegral::balance(const std::array<VoigtVector<2>, 2> &lips,
+                               const double                         size)
   {
     const MPI_Comm communicator = body.space.communicator();
     const auto     is_at_tip    = [&](const Kernel &kernel) {
       return region.reach(points.cell[kernel.point]).first == 0.;
     };
-    VoigtVector<2>                sum;
-    std::array<VoigtVector<2>, 2> of_stress;
-    double                        area = 0., area_at_tip = 0.;
+    std::array<VoigtVector<2>, 2> sum, of_stress; // sum: above and below
+    std::array<double, 2>         area_at_tip{};
+    double                        area = 0.;
     for (const Kernel &kernel : kernels)
       {
         area += points.weight[kernel.point];
-        sum += kernel.field.of_strain;
+        sum[is_below(kernel)] += kernel.field.of_strain;
         for (const unsigned int k : {0, 1})
           of_stress[k] += kernel.field.of_stress[k];
         if (is_at_tip(kernel))
-          area_at_tip += points.weight[kernel.point];
+          area_at_tip[is_below(kernel)] += points.weight[kernel.point];
       }
     const auto of_ranks = [communicator](VoigtVector<2> vector) {
       for (unsigned int c = 0; c < QuadratureField<2>::n_components; ++c)
         vector[c] = Utilities::MPI::sum(vector[c], communicator);
       return vector;
     };
-    sum = of_ranks(sum - of_uniform_strain);
+    sum[0] = of_ranks(sum[0] - of_uniform_strain);
+    if (interface != nullptr)
+      {
+        const VoigtVector<2> above = strain_factor_above(size);
+        sum[0] -= above;
+        sum[1] = of_ranks(sum[1]) + above;
+      }
     for (const unsigned int k : {0, 1})
       of_stress[k] = what_lips_bear(of_ranks(of_stress[k] - lips[k]));
     VoigtVector<2> hoops;
     hoops[2] = Utilities::MPI::sum(of_hoops, communicator);
     if (kappa_of_ring > 0.)
       hoops = strain_on_rings(hoops);
-    area        = Utilities::MPI::sum(area, communicator);
-    area_at_tip = Utilities::MPI::sum(area_at_tip, communicator);
+    area = Utilities::MPI::sum(area, communicator);
+    for (double &of_side : area_at_tip)
+      of_side = Utilities::MPI::sum(of_side, communicator);
     for (Kernel &kernel : kernels)
       {
         const double weight = points.weight[kernel.point];
         if (is_at_tip(kernel))
           {
-            kernel.field.of_strain -= weight / area_at_tip * sum;
-            kernel.field.of_stress[0] -= weight / area_at_tip * hoops;
+            const bool   side  = is_below(kernel);
+            const double share = weight / area_at_tip[side];
+            kernel.field.of_strain -= share * sum[side];
+            kernel.field.of_stress[0] -= share * hoops;
           }
         // Spread over the square: stress is largest at the tip.
         for (const unsigned int k : {0, 1})

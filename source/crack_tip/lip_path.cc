@@ -94,6 +94,17 @@ namespace Crevasse
 
 
 
+  double
+  LipPath::length() const
+  {
+    double sum = 0.;
+    for (unsigned int i = 1; i < nodes.size(); ++i)
+      sum += nodes[i].distance(nodes[i - 1]);
+    return sum;
+  }
+
+
+
   bool
   LipPath::has_node(const Point<2> &local) const
   {

@@ -170,18 +170,22 @@ namespace Crevasse
 
 
   bool
-  TipElasticity::leaves_stress(const VoigtMatrix<2> &fluidity) const
+  TipElasticity::leaves_stress(const VoigtMatrix<2> &above,
+                               const VoigtMatrix<2> &of_below) const
   {
-    if (!anisotropic)
+    if (!has_only_release_rate())
       return PlaneElasticity::is_isotropic(
-        PlaneElasticity::like_stiffness(fluidity));
-    // As a relaxation time makes it: H K = I/τ in the plane.
-    VoigtMatrix<2> rest = fluidity * stiffness;
-    const double   rate = rest[0][0];
-    for (const unsigned int c : {0, 1, 3})
-      rest[c][c] -= rate;
-    for (unsigned int c = 0; c < n_stress_components<2>; ++c)
-      rest[2][c] = rest[c][2] = 0.;
-    return rest.norm() <= 1e-8 * std::abs(rate);
+        PlaneElasticity::like_stiffness(above));
+    // As a relaxation time makes it: H K = I/τ in the plane, on both sides.
+    const double rate = (above * stiffness)[0][0];
+    const auto   rest = [rate](VoigtMatrix<2> all) {
+      for (const unsigned int c : {0, 1, 3})
+        all[c][c] -= rate;
+      for (unsigned int c = 0; c < n_stress_components<2>; ++c)
+        all[2][c] = all[c][2] = 0.;
+      return all.norm();
+    };
+    return std::max(rest(above * stiffness), rest(of_below * below())) <=
+           1e-8 * std::abs(rate);
   }
 } // namespace Crevasse

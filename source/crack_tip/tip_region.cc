@@ -93,30 +93,42 @@ namespace Crevasse
 
   TipRegion::Uniform
   TipRegion::uniform(const PointGeometry               &points,
-                     const PointValues<VoigtMatrix<2>> &matrices) const
+                     const PointValues<VoigtMatrix<2>> &matrices,
+                     const bool                         by_side) const
   {
-    std::optional<VoigtMatrix<2>> at_tip;
-    for (std::size_t p = 0; p < points.cell.size() && !at_tip; ++p)
-      if (reach(points.cell[p]).first == 0.)
-        at_tip = matrices[p];
+    const auto is_below = [&](const std::size_t p) {
+      return by_side && tip.local(points.location[p])[1] < 0.;
+    };
+    std::array<std::optional<VoigtMatrix<2>>, 2> at_tip;
+    for (std::size_t p = 0; p < points.cell.size(); ++p)
+      if (auto &side = at_tip[is_below(p)];
+          !side && reach(points.cell[p]).first == 0.)
+        side = matrices[p];
 
-    // All ranks use the matrix of one rank that has the tip.
-    const unsigned int none = Utilities::MPI::n_mpi_processes(communicator);
-    const unsigned int root =
-      Utilities::MPI::min(at_tip
-                            ? Utilities::MPI::this_mpi_process(communicator)
-                            : none,
-                          communicator);
-    const VoigtMatrix<2> own =
-      Utilities::MPI::broadcast(communicator,
-                                at_tip.value_or(VoigtMatrix<2>()),
-                                root);
+    // All ranks use the matrices of one rank that has the tip.
+    const auto of_all = [this](const std::optional<VoigtMatrix<2>> &side) {
+      const unsigned int none = Utilities::MPI::n_mpi_processes(communicator);
+      const unsigned int root =
+        Utilities::MPI::min(side
+                              ? Utilities::MPI::this_mpi_process(communicator)
+                              : none,
+                            communicator);
+      return Utilities::MPI::broadcast(communicator,
+                                       side.value_or(VoigtMatrix<2>()),
+                                       root);
+    };
+    std::array<VoigtMatrix<2>, 2> own;
+    own[0]        = of_all(at_tip[0]);
+    own[1]        = by_side ? of_all(at_tip[1]) : own[0];
     double radius = end;
     for (std::size_t p = 0; p < points.cell.size(); ++p)
-      if ((matrices[p] - own).norm() > rounding * own.norm())
+      if (const VoigtMatrix<2> &side = own[is_below(p)];
+          (matrices[p] - side).norm() > rounding * side.norm())
         radius = std::min(radius, reach(points.cell[p]).first);
     radius = Utilities::MPI::min(radius, communicator);
-    return {own, radius < cell_radius * (1. - rounding) ? 0. : radius};
+    return {own[0],
+            radius < cell_radius * (1. - rounding) ? 0. : radius,
+            own[1]};
   }
 
 

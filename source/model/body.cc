@@ -281,61 +281,6 @@ namespace Crevasse
 
 
 
-  std::optional<VoigtMatrix<2>>
-  limit_at(const CrackTip                 &tip,
-           const Triangulation<2>         &mesh,
-           const Property<VoigtMatrix<2>> &property,
-           const Temperature<2>           &temperature,
-           const double                    t)
-  {
-    // So close to the tip a smooth formula changes by less than a jump.
-    constexpr double              close = 1e-6, jump = 1e-3;
-    const QGauss<2>               rule(4);
-    const MappingQ1<2>            mapping;
-    std::optional<VoigtMatrix<2>> limit;
-    for (const auto &cell : mesh.cell_iterators_on_level(0))
-      for (const unsigned int v : cell->vertex_indices())
-        if (cell->vertex(v).distance(tip.position) <= 1e-8 * cell->diameter())
-          {
-            const auto at = [&](const Point<2> &point) {
-              return property.at(Place<2>{
-                point, t, temperature.value(point, t), cell->material_id()});
-            };
-            if (!limit)
-              limit = at(tip.position);
-            for (const Point<2> &unit : rule.get_points())
-              if (const VoigtMatrix<2> here = at(
-                    tip.position +
-                    close * (mapping.transform_unit_to_real_cell(cell, unit) -
-                             tip.position));
-                  (here - *limit).norm() > jump * here.norm())
-                return {};
-          }
-    AssertThrow(limit, ExcInternalError());
-    return limit;
-  }
-
-
-
-  VoigtMatrix<2>
-  stiffness_at(const CrackTip         &tip,
-               const Triangulation<2> &mesh,
-               const MaxwellLaw<2>    &law,
-               const Temperature<2>   &temperature,
-               const double            t,
-               const std::string      &wanted_by)
-  {
-    const auto stiffness = limit_at(tip, mesh, law.stiffness, temperature, t);
-    if (!stiffness)
-      throw SceneError(wanted_by + ": the stiffness at the crack tip " +
-                       Text::from_point(tip.position) +
-                       " is not the same on all sides of it: a crack between "
-                       "two materials has other fields.");
-    return *stiffness;
-  }
-
-
-
   template <int dim>
   UnilateralBounds
   unilateral_bounds(const ContactBoundary<dim>     &lip,

@@ -78,7 +78,8 @@ namespace Crevasse
     return "  crack tip: " + Text::from_point(intensity.region.tip.position) +
            ", K_I" +
            (intensity.region.tip.two_lips ? " and K_II by " : " by ") +
-           intensity.method() + (why.empty() ? "" : " (" + why + ")") +
+           intensity.method() + intensity.describe_interface() +
+           (why.empty() ? "" : " (" + why + ")") +
            (law.empty() ? "" : "; " + law);
   }
 

@@ -62,30 +62,9 @@ namespace Crevasse
       elasticity(t);
     if (!uses_fit)
       for (const CrackMode mode : modes())
-        {
-          // The squares differ in cells at the tip, so that the difference of
-          // the integrals shows the error of these cells.
-          const auto over_square = [&](const double       size,
-                                       const unsigned int cells) {
-            return InteractionIntegral(
-              body,
-              points,
-              region,
-              mode,
-              scene.loads,
-              {size,
-               creep_square(size, cells),
-               uniform.creep == 0.,
-               body.space.roles.has_axis ? first_elasticity.kappa() : 0.,
-               first_elasticity.anisotropic ? &*first_elasticity.anisotropic
-                                            : nullptr});
-          };
-          const double half = std::max(region.aligned_radius(0.5 * square.size),
-                                       region.cell_radius);
-          integrals.emplace_back(mode,
-                                 Integrals(over_square(square.size, 2),
-                                           over_square(half, 3)));
-        }
+        integrals.emplace_back(mode, integrate(mode, false));
+    if (first_elasticity.interface && !tip.is_open)
+      of_closed_lips = integrate(CrackMode::sliding, true);
     if (!can_fit())
       return;
     fit_radius = choose_fit_radius();
@@ -95,17 +74,49 @@ namespace Crevasse
 
 
 
+  StressIntensity::Integrals
+  StressIntensity::integrate(const CrackMode mode, const bool is_closed) const
+  {
+    // The squares differ in cells at the tip, so that the difference of the
+    // integrals shows the error of these cells.
+    const auto over_square = [&](const double size, const unsigned int cells) {
+      return InteractionIntegral(
+        body,
+        points,
+        region,
+        mode,
+        scene.loads,
+        {size,
+         creep_square(size, cells),
+         uniform.creep == 0.,
+         body.space.roles.has_axis ? first_elasticity.kappa() : 0.,
+         first_elasticity.anisotropic ? &*first_elasticity.anisotropic
+                                      : nullptr,
+         first_elasticity.interface ? &*first_elasticity.interface : nullptr,
+         is_closed});
+    };
+    return {over_square(square.size, 2),
+            over_square(std::max(region.aligned_radius(0.5 * square.size),
+                                 region.cell_radius),
+                        3)};
+  }
+
+
+
   TipElasticity
   StressIntensity::find_elasticity(const double t) const
   {
-    const VoigtMatrix<2> stiffness = stiffness_at(region.tip,
-                                                  body.space.mesh(),
-                                                  body.law,
-                                                  body.temperature,
-                                                  t,
-                                                  setting(scene));
-    const TipElasticity  now(stiffness, region.tip);
-    const auto           refuse = [&](const std::string &what) {
+    const auto          interface = find_interface(t);
+    const TipElasticity now =
+      interface ? TipElasticity(*interface)
+                : TipElasticity(stiffness_at(region.tip,
+                                             body.space.mesh(),
+                                             body.law,
+                                             body.temperature,
+                                             t,
+                                             setting(scene)),
+                                region.tip);
+    const auto refuse = [&](const std::string &what) {
       throw SceneError(setting(scene) + ": at the crack tip " +
                        Text::from_point(region.tip.position) + ' ' + what +
                        ". Set Stress intensity = false.");
@@ -122,14 +133,14 @@ namespace Crevasse
     if (t == 0.)
       return now; // first_elasticity is being made
     const bool is_other =
-      now.anisotropic || first_elasticity.anisotropic
-        ? (now.stiffness - first_elasticity.stiffness).norm() >
-            1e-8 * now.stiffness.norm()
+      now.has_only_release_rate() || first_elasticity.has_only_release_rate()
+        ? !now.is_same_as(first_elasticity)
         : body.space.roles.has_axis &&
             std::abs(now.kappa() - first_elasticity.kappa()) > 1e-8;
     if (is_other)
-      refuse((now.anisotropic
-                ? "the stiffness, which is not isotropic"
+      refuse((now.has_only_release_rate()
+                ? "the stiffness, which is not isotropic, or not the same on "
+                  "both sides"
                 : "Poisson's ratio, with [Material] Plane state = "
                   "axisymmetric") +
              std::string(", must not vary in time, and does at t = ") +
@@ -143,6 +154,7 @@ namespace Crevasse
   StressIntensity::find_uniform_radii(const StepList &steps) const
   {
     UniformRadii radii{region.largest_radius(), region.largest_radius()};
+    const bool   by_side = first_elasticity.interface.has_value();
     const bool   varies =
       body.material.stiffness_varies || body.material.fluidity_varies;
     for (const double t : instants_of_variation(varies, steps))
@@ -152,13 +164,13 @@ namespace Crevasse
         const MaterialState<2> material = body.material.at(t);
         radii.stiffness =
           std::min(radii.stiffness,
-                   region.uniform(points, *material.stiffness).radius);
+                   region.uniform(points, *material.stiffness, by_side).radius);
         for (const auto &fluidity : material.fluidity)
           {
-            const auto [matrix, radius] = region.uniform(points, *fluidity);
-            radii.creep =
-              std::min(radii.creep,
-                       first_elasticity.leaves_stress(matrix) ? radius : 0.);
+            const auto [above, radius, below] =
+              region.uniform(points, *fluidity, by_side);
+            const bool is_known = first_elasticity.leaves_stress(above, below);
+            radii.creep         = std::min(radii.creep, is_known ? radius : 0.);
           }
       }
     radii.creep = std::min(radii.creep, radii.stiffness);
@@ -184,17 +196,18 @@ namespace Crevasse
          instants_of_variation(body.material.fluidity_varies, steps))
       for (const auto &branch : body.law.branches)
         {
-          const auto limit = limit_at(region.tip,
-                                      body.space.mesh(),
-                                      branch.fluidity,
-                                      body.temperature,
-                                      t);
-          if (limit && first_elasticity.leaves_stress(*limit))
+          const bool by_side = first_elasticity.interface.has_value();
+          const auto limits  = limits_at(branch.fluidity, t, by_side);
+          if (limits &&
+              first_elasticity.leaves_stress((*limits)[0], (*limits)[1]))
             continue;
           const std::string reason =
             first_elasticity.anisotropic
               ? "the stiffness at the crack tip is anisotropic and the "
                 "viscosity not proportional to it"
+            : by_side
+              ? "the materials at the crack tip do not have the same "
+                "relaxation time"
               : "the viscosity at the crack tip is anisotropic in the plane, "
                 "or differs between its sides";
           if (!can_fit())
@@ -301,24 +314,45 @@ namespace Crevasse
                             const MaterialState<2> &material,
                             const TipElasticity    &at_tip) const
   {
-    Estimate     all{};
+    Estimate all{};
+    const auto integrate = [&](const CrackMode      mode,
+                               const Integrals     &squares,
+                               const ContactForces &lips) {
+      const auto &[large, small] = squares;
+      const double value = large.value(t, sample, lips, material, at_tip),
+                   check = small.value(t, sample, lips, material, at_tip);
+      const bool is_T    = mode == CrackMode::constant;
+      (is_T ? all.t_stress : all.intensity[unsigned(mode)]) = value;
+      (is_T ? all.t_stress_error : all.error[unsigned(mode)]) =
+        std::abs(value - check);
+      if (mode == CrackMode::opening)
+        all.of_stress = check;
+    };
+    const ContactForces &lips = sample.state.contact_forces;
+    if (first_elasticity.interface)
+      {
+        if (!region.tip.is_open)
+          all.contact_zone =
+            std::min(contact_zone(body.lip, region.tip, sample.state),
+                     first_elasticity.interface->length);
+        if (is_wide(all.contact_zone))
+          {
+            integrate(CrackMode::sliding, *of_closed_lips, lips);
+            return all;
+          }
+        const ContactForces beyond =
+          forces_beyond(all.contact_zone, body.lip, region.tip, lips);
+        for (const auto &[mode, squares] : integrals)
+          integrate(mode, squares, beyond);
+        return all;
+      }
     const double open = open_length(body.lip, region.tip, sample.state);
     // After creep a closed tip may have singular stress.
     const bool is_closed =
       open == 0. && !region.tip.is_open && !body.effects.viscosity.on;
     for (const auto &[mode, squares] : integrals)
-      {
-        if (mode == CrackMode::opening && is_closed)
-          continue;
-        const double value = squares.first.value(t, sample, material, at_tip),
-                     check = squares.second.value(t, sample, material, at_tip);
-        const bool is_T    = mode == CrackMode::constant;
-        (is_T ? all.t_stress : all.intensity[unsigned(mode)]) = value;
-        (is_T ? all.t_stress_error : all.error[unsigned(mode)]) =
-          std::abs(value - check);
-        if (mode == CrackMode::opening)
-          all.of_stress = check;
-      }
+      if (mode != CrackMode::opening || !is_closed)
+        integrate(mode, squares, lips);
     if (const double wrong = 0.5 * region.path.first_bend(); wrong > 0.)
       {
         // What a turn of the tip changes (Cotterell and Rice 1980).

@@ -116,8 +116,9 @@ namespace Crevasse
     const auto  &K    = estimate.intensity;
     const double size = std::hypot(K[0], K[1]);
     TipValues    values{};
-    values.of_stress = estimate.of_stress;
-    values.t_stress  = estimate.t_stress;
+    values.of_stress    = estimate.of_stress;
+    values.contact_zone = estimate.contact_zone;
+    values.t_stress     = estimate.t_stress;
     values.t_stress_error =
       std::max(estimate.t_stress_error,
                analysis.intensity.t_stress_error(relative_error) * size);
@@ -149,8 +150,9 @@ namespace Crevasse
     if (place.two_lips)
       {
         // Directions are known for isotropic bodies.
-        const double degrees = at_tip.anisotropic ? NAN : 180. / numbers::PI;
-        values.growth_angle  = degrees * GrowthDirection(K[0], K[1]).angle;
+        const double degrees =
+          at_tip.has_only_release_rate() ? NAN : 180. / numbers::PI;
+        values.growth_angle = degrees * GrowthDirection(K[0], K[1]).angle;
         values.angle_of_release =
           degrees * angle_of_largest_release(K[0], K[1]);
         values.equivalent = at_tip.equivalent(K[0], K[1]);
@@ -213,6 +215,9 @@ namespace Crevasse
     if (place.two_lips)
       {
         summarise_two_modes(tip);
+        if (const auto at_tip = analysis.intensity.elasticity(0.);
+            at_tip.interface)
+          summarise_interface(*at_tip.interface, summary, tip);
         warn_of_turning(summary);
       }
     else
@@ -248,7 +253,8 @@ namespace Crevasse
       Text::format(" in the last period, estimated error %.1g (%.2g %%)",
                    error,
                    size > 0. ? 100. * error / size : 0.));
-    if (least < -10. * error && mode == 0)
+    if (least < -10. * error && mode == 0 &&
+        !analysis.intensity.elasticity(0.).interface)
       context.log.line(
         "    K_I < 0: the load, or residual stress from creep, compresses the "
         "body ahead of the tip");

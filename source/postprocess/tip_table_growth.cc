@@ -7,6 +7,40 @@
 namespace Crevasse
 {
   void
+  TipTable::summarise_interface(const InterfaceTip &interface,
+                                Summary            &summary,
+                                Summary            &tip) const
+  {
+    const double zone =
+      largest_value([](const TipValues &v) { return v.contact_zone; });
+    tip["interface"] = {{"epsilon", interface.epsilon},
+                        {"length", interface.length},
+                        {"contact_zone", zone}};
+    if (zone == 0.)
+      return;
+    const bool is_wide = analysis.intensity.is_wide(zone);
+    context.log.line(
+      title +
+      Text::format("the lips are closed next to it over up to %.4g, %.2g %% of "
+                   "the crack: ",
+                   zone,
+                   100. * zone / interface.length) +
+      (is_wide
+         ? "where it is at least 1 %, K_I = 0, and K_II is that of closed "
+           "lips"
+         : "K is that of the field around this zone"));
+    constexpr double few = 3.;
+    if (is_wide && zone < few * analysis.intensity.region.cell_radius)
+      warn("[Crack tip]: at " + Text::from_point(place.position) +
+             " the zone of contact has less than three cells: refine the mesh "
+             "at the tip ([Refinement] Strategy = tip)",
+           context.log,
+           summary);
+  }
+
+
+
+  void
   TipTable::summarise_growth(Summary &summary, Summary &tip) const
   {
     TipHistory growing = history();

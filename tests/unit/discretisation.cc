@@ -9,6 +9,8 @@
 void
 crack_modes();
 void
+interface_tip();
+void
 operators();
 void
 patch_test();
@@ -25,6 +27,7 @@ main(int argc, char **argv)
   return run_tests(argc,
                    argv,
                    {{"crack_modes", crack_modes},
+                    {"interface_tip", interface_tip},
                     {"operators", operators},
                     {"patch_test", patch_test},
                     {"rigid_motions", rigid_motions},

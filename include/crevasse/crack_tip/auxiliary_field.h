@@ -44,6 +44,9 @@ namespace Crevasse
   {
     using Complex = std::complex<double>;
 
+    /** Leaves the values open. */
+    BuecknerField() = default;
+
     /** @param local the point (X, Y), not (0, 0). */
     explicit BuecknerField(const dealii::Point<2> &local,
                            const CrackMode         mode = CrackMode::opening,
@@ -72,7 +75,19 @@ namespace Crevasse
     AuxiliaryField(const CrackTip         &tip,
                    const CrackMode         mode,
                    const dealii::Point<2> &local,
-                   const SquareWeight     &weight);
+                   const SquareWeight     &weight)
+      : AuxiliaryField(tip,
+                       local,
+                       weight,
+                       BuecknerField(local, mode, tip.two_lips))
+    {
+    }
+
+    /** Computes the factors at a point from a field. */
+    AuxiliaryField(const CrackTip         &tip,
+                   const dealii::Point<2> &local,
+                   const SquareWeight     &weight,
+                   const BuecknerField    &field);
 
     /** Adds another field times a factor. */
     void

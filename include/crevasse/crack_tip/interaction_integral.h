@@ -55,7 +55,9 @@ namespace Crevasse
    * u·τn ds, in an elastic body. The fields are continued from their line to
    * the LipPath.
    *
-   * In an anisotropic body the fields are those of AnisotropicTip, without E'.
+   * In an anisotropic body the fields are those of AnisotropicTip, and between
+   * two bodies those of InterfaceTip, without E'. Displacements of the latter
+   * have a jump across the lips, so that their pressure enters.
    *
    * The weight q is SquareWeight in the square |X| ≤ R, 0 ≤ Y ≤ R, or
    * |Y| ≤ R. In cells of the usual rule N and τ are projected to the
@@ -78,6 +80,10 @@ namespace Crevasse
       double kappa_of_ring = 0.;
       /** Elasticity at a tip in an anisotropic body; otherwise null. */
       const AnisotropicTip *anisotropic = nullptr;
+      /** Elasticity at a tip between two bodies; otherwise null. */
+      const InterfaceTip *interface = nullptr;
+      /** Whether the field between two bodies is that of closed lips. */
+      bool is_closed = false;
     };
 
     /** Collective. The arguments must outlive the InteractionIntegral. */
@@ -90,11 +96,13 @@ namespace Crevasse
 
     /** K at an instant. Collective.
      * @param t within the period.
+     * @param contact_forces those of the sample that count.
      * @param material at this instant.
      * @param at_tip stiffness at the tip, without the factor k. */
     double
     value(const double            t,
           const Sample           &sample,
+          const ContactForces    &contact_forces,
           const MaterialState<2> &material,
           const TipElasticity    &at_tip) const;
 
@@ -155,9 +163,14 @@ namespace Crevasse
       return point.weight * (mode == CrackMode::constant ? 1. : point.sign);
     }
 
-    /** Factors of displacement and pressure on lips that bend. */
+    /** Factors of displacement and pressure on lips that bend, or between two
+     * bodies. */
     void
     integrate_over_bends(const double size);
+
+    /** Factors of the displacement of the lips. */
+    void
+    integrate_displacement(const double size);
 
     /** Integrates over the lips: keeps the loaded points.
      * @return the factors of a uniform stress that the lips bear. */
@@ -166,9 +179,22 @@ namespace Crevasse
 
     /** Makes a uniform strain contribute nothing, and a uniform stress as much
      * as the lips bear of it, to rounding: the rules in the cells at the tip
-     * are not exact. */
+     * are not exact. Between two bodies, makes a uniform strain of each
+     * contribute what the interface bears. */
     void
-    balance(const std::array<VoigtVector<2>, 2> &lips);
+    balance(const std::array<VoigtVector<2>, 2> &lips, const double size);
+
+    /** Integral of τ over the body above an interface. */
+    VoigtVector<2>
+    strain_factor_above(const double size) const;
+
+    /** Whether a point is in the body below an interface. */
+    bool
+    is_below(const Kernel &kernel) const
+    {
+      return interface != nullptr &&
+             region.tip.local(points.location[kernel.point])[1] < 0.;
+    }
 
     /** Components of a factor of uniform stress that the body can bear without
      * other forces than those on the lips. */
@@ -192,6 +218,8 @@ namespace Crevasse
     const CrackMode                                  mode;
     const double                                     kappa_of_ring;
     const AnisotropicTip *const                      anisotropic;
+    const InterfaceTip *const                        interface;
+    const bool                                       is_closed;
     const LoadParameters                            &loads;
     std::vector<std::pair<unsigned int, Expression>> body_force;
     std::vector<std::pair<LipPoint, AuxiliaryField>> loaded; ///< on lips
@@ -199,7 +227,8 @@ namespace Crevasse
     bool                has_creep = false; ///< whether viscous strain enters
     double              of_hoops  = 0.;    ///< integral of hoops_at()
     std::vector<double> of_contact_forces;
-    Vector              of_displacement; ///< on lips that bend
+    /** On lips that bend, or that are closed between two bodies. */
+    Vector of_displacement;
     /** Integral of τ over the square, which lips that bend bear. */
     VoigtVector<2>                     of_uniform_strain;
     std::array<std::vector<double>, 2> of_pressure_on_bends;

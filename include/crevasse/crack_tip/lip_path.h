@@ -27,6 +27,10 @@ namespace Crevasse
       return curved;
     }
 
+    /** Length of the path, by its chords. */
+    double
+    length() const;
+
     /** Angle of the first bend, between the tangents on both sides of a node; 0
      * if there is none. Where a polygon stands for a curve, the direction of
      * its tip is wrong by half of it. */

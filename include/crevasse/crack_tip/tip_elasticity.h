@@ -6,7 +6,7 @@
 
 #include <crevasse/crack_tip/auxiliary_field.h>
 #include <crevasse/crack_tip/growth_direction.h>
-#include <crevasse/material/plane_elasticity.h>
+#include <crevasse/crack_tip/interface_tip.h>
 
 #include <optional>
 
@@ -79,8 +79,8 @@ namespace Crevasse
     dealii::Tensor<2, 2> release; ///< Irwin's matrix L
   };
 
-  /** Elasticity at a tip, isotropic or not, as the interaction integral needs
-   * it. */
+  /** Elasticity at a tip, isotropic, anisotropic, or of two isotropic bodies,
+   * as the interaction integral needs it. */
   class TipElasticity
   {
   public:
@@ -93,24 +93,57 @@ namespace Crevasse
         anisotropic.emplace(stiffness, tip);
     }
 
+    explicit TipElasticity(const InterfaceTip &interface)
+      : stiffness(interface.stiffness[0])
+      , isotropic(stiffness)
+      , interface(interface)
+    {
+    }
+
+    /** Whether G alone is equivalent to both modes, and no direction of growth
+     * is known. */
+    bool
+    has_only_release_rate() const
+    {
+      return anisotropic || interface;
+    }
+
+    /** Whether another stiffness is the same up to rounding. */
+    bool
+    is_same_as(const TipElasticity &other) const
+    {
+      const auto are_same = [](const VoigtMatrix<2> &a,
+                               const VoigtMatrix<2> &b) {
+        return (a - b).norm() <= 1e-8 * a.norm();
+      };
+      return are_same(stiffness, other.stiffness) &&
+             are_same(below(), other.below());
+    }
+
     /** κ, or 3 for the factors of AnisotropicTip::auxiliary(). */
     double
     kappa() const
     {
-      return anisotropic ? 3. : isotropic.kappa();
+      return has_only_release_rate() ? 3. : isotropic.kappa();
     }
 
     /** E', or K²/G of mode I. */
     double
     modulus() const
     {
-      return anisotropic ? anisotropic->modulus() : isotropic.modulus();
+      return anisotropic ? anisotropic->modulus()
+             : interface ? interface->modulus()
+                         : isotropic.modulus();
     }
 
+    /** Strain caused by a stress. @param is_below of the side below the crack's
+     * line. */
     VoigtVector<2>
-    strain(const VoigtVector<2> &s) const
+    strain(const VoigtVector<2> &s, const bool is_below) const
     {
-      return anisotropic ? anisotropic->strain(s) : isotropic.strain(s);
+      return anisotropic ? anisotropic->strain(s)
+             : interface ? interface->strain(s, is_below)
+                         : isotropic.strain(s);
     }
 
     double
@@ -118,27 +151,37 @@ namespace Crevasse
     {
       const dealii::Tensor<1, 2> K({K_I, K_II});
       return anisotropic ? anisotropic->release_rate(K)
-                         : K.norm_square() / isotropic.modulus();
+                         : K.norm_square() / modulus();
     }
 
     /** K of mode I that is equivalent to both modes: that with the same hoop
-     * stress or, in an anisotropic body, with the same G. */
+     * stress or, in an anisotropic body and between two, with the same G. */
     double
     equivalent(const double K_I, const double K_II) const
     {
-      return anisotropic
+      return has_only_release_rate()
                ? std::sqrt(modulus() * release_rate(std::max(K_I, 0.), K_II))
                : GrowthDirection(K_I, K_II).intensity;
     }
 
     /** Whether the stress at the tip does not depend on how much the body has
-     * crept with this fluidity: viscous strain is then compatible. */
+     * crept with these fluidities above and below the crack: viscous strain is
+     * then compatible. */
     bool
-    leaves_stress(const VoigtMatrix<2> &fluidity) const;
+    leaves_stress(const VoigtMatrix<2> &above,
+                  const VoigtMatrix<2> &of_below) const;
 
-    VoigtMatrix<2>                stiffness;
-    PlaneElasticity               isotropic; ///< unless anisotropic is set
+    /** Stiffness below the crack. */
+    const VoigtMatrix<2> &
+    below() const
+    {
+      return interface ? interface->stiffness[1] : stiffness;
+    }
+
+    VoigtMatrix<2>                stiffness; ///< above the crack
+    PlaneElasticity               isotropic; ///< unless one of these is set
     std::optional<AnisotropicTip> anisotropic;
+    std::optional<InterfaceTip>   interface;
   };
 } // namespace Crevasse
 

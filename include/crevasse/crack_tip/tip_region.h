@@ -87,17 +87,21 @@ namespace Crevasse
 
     /** A stiffness or viscosity in the cells at the tip, and the size of the
      * square in which it is uniform, at most largest_radius(); 0 if it varies
-     * in these cells. */
+     * in these cells. Between two materials it is uniform on either side. */
     struct Uniform
     {
-      VoigtMatrix<2> matrix;
+      VoigtMatrix<2> matrix; ///< above, or on both sides
       double         radius;
+      VoigtMatrix<2> below;
     };
 
-    /** Finds where given matrices are uniform. Collective. */
+    /** Finds where given matrices are uniform, or are on either side.
+     * Collective.
+     */
     Uniform
     uniform(const PointGeometry               &points,
-            const PointValues<VoigtMatrix<2>> &matrices) const;
+            const PointValues<VoigtMatrix<2>> &matrices,
+            const bool                         by_side = false) const;
 
     /** The aligned_radius() of the size that the scene asks for.
      * @param wish [Crack tip] Radius of the scene.

@@ -69,13 +69,16 @@ namespace Crevasse
   };
 
   /** Limit of a property of the material at a tip, if it is the same from all
-   * sides. Around the tip the property may vary. */
+   * sides. Around the tip the property may vary.
+   * @param side 0, or the sign of Y on the one side of the crack's line that
+   * counts: then no cell at the tip may lie on both. */
   std::optional<VoigtMatrix<2>>
   limit_at(const CrackTip                 &tip,
            const dealii::Triangulation<2> &mesh,
            const Property<VoigtMatrix<2>> &property,
            const Temperature<2>           &temperature,
-           const double                    t);
+           const double                    t,
+           const double                    side = 0.);
 
   /** Stiffness at a tip at an instant, without the factor k.
    * @throw SceneError if it has no limit there. */

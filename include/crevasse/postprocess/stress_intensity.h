@@ -31,6 +31,8 @@ namespace Crevasse
       double                t_stress, t_stress_error;
       /** K_I of the fit or, without a fit, over the smaller square. */
       double of_stress;
+      /** Length of closed lips next to a tip between two materials; else 0. */
+      double contact_zone;
     };
 
     /** Collective. The arguments must outlive the StressIntensity.
@@ -77,7 +79,8 @@ namespace Crevasse
     bool
     has_t_stress() const
     {
-      return !body.space.roles.has_axis && !uses_fit && why.empty();
+      return !body.space.roles.has_axis && !uses_fit && why.empty() &&
+             !first_elasticity.interface;
     }
 
     /** Name of the method, "interaction integral" or "williams fit". */
@@ -132,6 +135,19 @@ namespace Crevasse
       return integrals.empty() ? fit_radius : square.size;
     }
 
+    /** Whether the lips between two materials are closed so far from the tip
+     * that the field around their contact zone is not that of open lips. */
+    bool
+    is_wide(const double contact_zone) const
+    {
+      constexpr double small = 0.01; // Rice 1988
+      return contact_zone >= small * first_elasticity.interface->length;
+    }
+
+    /** Part of a line for the log, empty except between two materials. */
+    std::string
+    describe_interface() const;
+
     const Scene                               &scene;
     const Body<2>                             &body;
     const std::shared_ptr<const PointGeometry> geometry; ///< owns points
@@ -158,8 +174,25 @@ namespace Crevasse
     /** Integrals over the larger and the smaller square. */
     using Integrals = std::pair<InteractionIntegral, InteractionIntegral>;
 
+    /** Integrals over the squares. @param is_closed whether the lips are closed
+     * between two materials. */
+    Integrals
+    integrate(const CrackMode mode, const bool is_closed) const;
+
     TipElasticity
     find_elasticity(const double t) const;
+
+    /** Limits of a property at the tip, above and below the crack, or the same
+     * on both sides. None if there are none. */
+    std::optional<InterfaceTip::Sides>
+    limits_at(const Property<VoigtMatrix<2>> &property,
+              const double                    t,
+              const bool                      by_side) const;
+
+    /** Elasticity of two isotropic bodies if the crack ends between them.
+     * @throw SceneError if K is not known with what the scene has beside. */
+    std::optional<InterfaceTip>
+    find_interface(const double t) const;
 
     UniformRadii
     find_uniform_radii(const StepList &steps) const;
@@ -214,7 +247,9 @@ namespace Crevasse
   private:
     const Square                                 square; ///< larger square
     std::vector<std::pair<CrackMode, Integrals>> integrals;
-    double                                       fit_radius = 0.;
+    /** Mode II of closed lips between two materials. */
+    std::optional<Integrals>  of_closed_lips;
+    double                    fit_radius = 0.;
     std::optional<NestedFits> fits; ///< fits for one lip in the plane
   };
 } // namespace Crevasse

@@ -40,6 +40,7 @@ namespace Crevasse
     double t_stress, t_stress_error;
     double angle_of_release; ///< direction of largest G in degrees
     double temperature;
+    double contact_zone; ///< StressIntensity::Estimate::contact_zone
   };
 
   /**
@@ -164,6 +165,13 @@ namespace Crevasse
     /** Adds T to the summary. */
     void
     summarise_t_stress(Summary &tip) const;
+
+    /** Adds what only tips between two materials have to the summary of the
+     * tip, and their contact zone to the log. */
+    void
+    summarise_interface(const InterfaceTip &interface,
+                        Summary            &summary,
+                        Summary            &tip) const;
 
     /** Adds what only tips with two lips have to the summary. */
     void
