@@ -2,6 +2,7 @@
 // Copyright (C) 2026 by the Crevasse authors
 
 #include <crevasse/contact/no_contact.h>
+#include <crevasse/discretisation/stress_estimator.h>
 #include <crevasse/model/elastic_displacement.h>
 #include <crevasse/time/evolution.h>
 
@@ -70,10 +71,10 @@ namespace Crevasse
 
   template <int dim>
   void
-  look_at_elastic_states(const Body<dim>                 &body,
-                         ContactSystemCache<dim>         &systems,
-                         const std::vector<double>       &instants,
-                         const ElasticStateFunction<dim> &f)
+  look_at_elastic_states(const Body<dim>           &body,
+                         ContactSystemCache<dim>   &systems,
+                         const std::vector<double> &instants,
+                         StressEstimator<dim>      &estimator)
   {
     Evolution<dim> evolution(body.strain_operator,
                              body.points,
@@ -83,7 +84,11 @@ namespace Crevasse
     for (const double t : instants)
       {
         evolution.elastic_state(t);
-        f(t, evolution.state(), systems.at(t).material);
+        estimator.look_at(t,
+                          evolution.state().stress,
+                          evolution.state().contact_forces,
+                          systems.at(t).material,
+                          &evolution.state().displacement);
       }
   }
 

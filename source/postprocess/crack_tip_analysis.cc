@@ -9,8 +9,6 @@
 #include <crevasse/model/largest_load.h>
 #include <crevasse/postprocess/crack_tip_analysis.h>
 
-#include <deal.II/grid/grid_tools.h>
-
 namespace Crevasse
 {
   using namespace dealii;
@@ -86,7 +84,8 @@ namespace Crevasse
 
 
   double
-  CrackTipAnalysis::error_around(const dealii::Vector<float> &squares) const
+  CrackTipAnalysis::relative_energy_error(
+    const dealii::Vector<float> &squares) const
   {
     // Singular functions are not in equilibrium in another material.
     const double most = body.space.singular_shapes() != nullptr
@@ -105,63 +104,21 @@ namespace Crevasse
 
 
 
-  std::vector<double>
-  relative_energy_errors(const Scene            &scene,
-                         const Body<2>          &body,
-                         ContactSystemCache<2>  &systems,
-                         const StepList         &steps,
-                         const CrackTipAnalyses &tips)
+  dealii::Vector<float>
+  elastic_error_squares(const Scene           &scene,
+                        const Body<2>         &body,
+                        ContactSystemCache<2> &systems,
+                        const StepList        &steps)
   {
-    StressEstimator<2>  estimator(body.space,
+    StressEstimator<2> estimator(body.space,
                                  body.points,
                                  body.lip,
                                  scene.loads);
-    std::vector<double> released(tips.size());
-    const Vector        none;
-    look_at_elastic_states<2>(
-      body,
-      systems,
-      instants_of_extreme_loads(body, steps),
-      [&](const double t, const State &state, const auto &material) {
-        estimator.look_at(
-          t, state.stress, state.contact_forces, material, &state.displacement);
-        for (unsigned int i = 0; i < tips.size(); ++i)
-          released[i] =
-            std::max(released[i],
-                     tips[i]->released_energy(
-                       {1, 0, t, t, state, none, none, nullptr}, material));
-      });
-    // Without K the body has errors of its stress alone.
-    const double density =
-      estimator.largest_energy() / GridTools::volume(body.space.mesh());
-    constexpr double    least   = 0.01;
-    const auto          squares = estimator.squares();
-    std::vector<double> errors;
-    for (unsigned int i = 0; i < tips.size(); ++i)
-      {
-        const double R      = tips[i]->intensity.region.largest_radius();
-        const double energy = std::max(released[i], least * density * R * R);
-        errors.push_back(energy > 0. ? tips[i]->error_around(squares) *
-                                         estimator.largest_energy() / energy
-                                     : 0.);
-      }
-    return errors;
-  }
-
-
-
-  double
-  CrackTipAnalysis::released_energy(const Sample           &sample,
-                                    const MaterialState<2> &material) const
-  {
-    // In the paper's square this is the energy of the body.
-    constexpr double    part   = 0.8;
-    const TipElasticity at_tip = intensity.elasticity(sample.instant);
-    const auto          K =
-      intensity.evaluate(sample.instant, sample, material, at_tip).intensity;
-    return part * (intensity.region.tip.two_lips ? 1. : 0.5) *
-           intensity.region.largest_radius() * at_tip.release_rate(K[0], K[1]) /
-           material.stiffness_factor;
+    look_at_elastic_states(body,
+                           systems,
+                           instants_of_extreme_loads(body, steps),
+                           estimator);
+    return estimator.squares();
   }
 
 
@@ -287,7 +244,7 @@ namespace Crevasse
 
 
 
-  CrackTipAnalyses
+  std::vector<std::unique_ptr<const CrackTipAnalysis>>
   analyse_crack_tips(const Scene          &scene,
                      const Body<2>        &body,
                      const SecularSplit   &split,
@@ -296,7 +253,7 @@ namespace Crevasse
   {
     const auto geometry =
       std::make_shared<const PointGeometry>(body.space, body.points);
-    CrackTipAnalyses all;
+    std::vector<std::unique_ptr<const CrackTipAnalysis>> all;
     for (const CrackTip &tip : crack_tips(body.space.mesh(),
                                           body.space.roles,
                                           StressIntensity::setting(scene)))

@@ -64,18 +64,18 @@ namespace Crevasse
 
 
 
-  TipTable::TipTable(const CrackTipAnalysis &analysis,
-                     const double            energy_error,
-                     const TipContext       &context,
-                     CsvTable              &&table)
+  TipTable::TipTable(const CrackTipAnalysis      &analysis,
+                     const dealii::Vector<float> &error_squares,
+                     const TipContext            &context,
+                     CsvTable                   &&table)
     : analysis(analysis)
     , context(context)
     , place(analysis.intensity.region.tip)
     , title("  crack tip" +
             (place.two_lips ? ' ' + Text::from_point(place.position) : "") +
             ": ")
-    , relative_error(
-        std::max(energy_error, analysis.intensity.error_of_known_fields()))
+    , relative_error(std::max(analysis.relative_energy_error(error_squares),
+                              analysis.intensity.error_of_known_fields()))
     , table(std::move(table))
   {
   }

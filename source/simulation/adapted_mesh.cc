@@ -186,14 +186,10 @@ namespace Crevasse
                                    body.points,
                                    body.lip,
                                    scene.loads);
-    look_at_elastic_states<dim>(
-      body,
-      systems,
-      instants_of_estimate(scene, body, steps),
-      [&estimator](const double t, const State &state, const auto &material) {
-        estimator.look_at(
-          t, state.stress, state.contact_forces, material, &state.displacement);
-      });
+    look_at_elastic_states(body,
+                           systems,
+                           instants_of_estimate(scene, body, steps),
+                           estimator);
     if (estimator.largest_energy() == 0.)
       throw SceneError(
         "[Refinement] Instants: the stress is zero at the instants of adaptive "

@@ -131,18 +131,17 @@ namespace Crevasse
       void
       add_tips(LipClosure<2> *closure)
       {
-        const std::vector<double> errors = relative_energy_errors(
-          run.scene, body, run.systems, run.steps, run.crack_tips);
+        const auto squares =
+          elastic_error_squares(run.scene, body, run.systems, run.steps);
         unsigned int n_two_lips = 0;
-        for (unsigned int i = 0; i < run.crack_tips.size(); ++i)
+        for (const auto &tip : run.crack_tips)
           {
-            const auto       &tip    = run.crack_tips[i];
             const std::string number = tip->intensity.region.tip.two_lips
                                          ? "_" + std::to_string(++n_two_lips)
                                          : "";
             const auto        of_tip = add(std::make_unique<TipTable>(
               *tip,
-              errors[i],
+              squares,
               TipContext{run.steps,
                          run.flow,
                          tip->intensity.region.tip.is_open ? nullptr : closure,

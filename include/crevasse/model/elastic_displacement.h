@@ -5,12 +5,12 @@
 #define crevasse_model_elastic_displacement_h
 
 #include <crevasse/model/contact_system_cache.h>
-#include <crevasse/time/state.h>
-
-#include <functional>
 
 namespace Crevasse
 {
+  template <int dim>
+  class StressEstimator;
+
   /** Elastic displacement of a body of constant stiffness under the given
    * loads, with the lip open or held at u_N = 0. The cost is added to the
    * statistics of the solvers. */
@@ -22,19 +22,14 @@ namespace Crevasse
                        const Vector            &loads,
                        const bool               lip_closed);
 
-  /** Receives an elastic state at an instant of the period. */
-  template <int dim>
-  using ElasticStateFunction = std::function<
-    void(const double, const State &, const MaterialState<dim> &)>;
-
-  /** Calls f(t, state, material) for elastic states with contact, at these
-   * instants of the period. Collective. @throw NumericalError */
+  /** Passes elastic states with contact, at these instants of the period, to
+   * the estimator. Collective. @throw NumericalError */
   template <int dim>
   void
-  look_at_elastic_states(const Body<dim>                 &body,
-                         ContactSystemCache<dim>         &systems,
-                         const std::vector<double>       &instants,
-                         const ElasticStateFunction<dim> &f);
+  look_at_elastic_states(const Body<dim>           &body,
+                         ContactSystemCache<dim>   &systems,
+                         const std::vector<double> &instants,
+                         StressEstimator<dim>      &estimator);
 } // namespace Crevasse
 
 #endif

@@ -70,16 +70,12 @@ namespace Crevasse
                      Summary           &tip,
                      Log               &log) const;
 
-    /** Energy that the modelled part of an elastic body would release if the
-     * crack grew to another boundary at the present rate. Collective. */
+    /** Relative error of the elastic energy by the mesh, in the cells around
+     * the tip; with singular functions in those that touch no other material.
+     * Collective.
+     * @param squares elastic_error_squares() */
     double
-    released_energy(const Sample           &sample,
-                    const MaterialState<2> &material) const;
-
-    /** Sum of squared errors of cells around the tip; with singular functions
-     * of those that touch no other material. Collective. */
-    double
-    error_around(const dealii::Vector<float> &squares) const;
+    relative_energy_error(const dealii::Vector<float> &squares) const;
 
     const Scene          &scene;
     const Body<2>        &body;
@@ -101,6 +97,14 @@ namespace Crevasse
     const bool                        mean_load_vanishes;
   };
 
+  /** Squared relative error of the energy norm of each cell, for the elastic
+   * body at the extreme loads. Collective. */
+  dealii::Vector<float>
+  elastic_error_squares(const Scene           &scene,
+                        const Body<2>         &body,
+                        ContactSystemCache<2> &systems,
+                        const StepList        &steps);
+
   /** @throw SceneError if the loads need a point support at the tip. */
   void
   require_no_force_at_tip(const Scene     &scene,
@@ -108,24 +112,11 @@ namespace Crevasse
                           const TipRegion &region,
                           const StepList  &steps);
 
-  using CrackTipAnalyses = std::vector<std::unique_ptr<const CrackTipAnalysis>>;
-
-  /** Relative error of K at each tip by the mesh: the error of the energy of
-   * the elastic body at the extreme loads, as StressEstimator finds it around
-   * the tip, by the energy K²R/E' that the crack releases over the distance R
-   * to another boundary. Collective. */
-  std::vector<double>
-  relative_energy_errors(const Scene            &scene,
-                         const Body<2>          &body,
-                         ContactSystemCache<2>  &systems,
-                         const StepList         &steps,
-                         const CrackTipAnalyses &tips);
-
   /** Analyses the tip of a half model, or each tip with two lips. Collective.
    * The arguments must outlive the result.
    * @param[out] without tips without K, each with the reason.
    * @throw SceneError */
-  CrackTipAnalyses
+  std::vector<std::unique_ptr<const CrackTipAnalysis>>
   analyse_crack_tips(const Scene          &scene,
                      const Body<2>        &body,
                      const SecularSplit   &split,

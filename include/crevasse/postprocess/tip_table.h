@@ -51,8 +51,8 @@ namespace Crevasse
    * K_I_singular and K_II_singular are the coefficients of the singular
    * functions of an elastic body. The errors are those of
    * StressIntensity::Estimate or, if larger, √(K_I² + K_II²) times the relative
-   * error of the elastic energy by relative_energy_errors(), or that of fields
-   * of known K; that of K_I up to four times this if integral and fit differ by
+   * error of the elastic energy that StressEstimator finds in the cells around
+   * the tip; that of K_I up to four times this if integral and fit differ by
    * more. T has the error that StressIntensity makes of this. They are not
    * bounds.
    */
@@ -61,12 +61,12 @@ namespace Crevasse
   public:
     /** References must outlive the TipTable. Collective.
      *
-     * @param energy_error as by relative_energy_errors()
+     * @param error_squares CrackTipAnalysis's elastic_error_squares()
      * @param table with the columns(). */
-    TipTable(const CrackTipAnalysis &analysis,
-             const double            energy_error,
-             const TipContext       &context,
-             CsvTable              &&table);
+    TipTable(const CrackTipAnalysis      &analysis,
+             const dealii::Vector<float> &error_squares,
+             const TipContext            &context,
+             CsvTable                   &&table);
 
     static std::vector<std::string>
     columns(const CrackTipAnalysis &analysis);
@@ -244,7 +244,7 @@ namespace Crevasse
     const TipContext        context;
     const CrackTip         &place;
     const std::string       title;          ///< beginning of lines in the log
-    const double            relative_error; ///< relative error of K
+    const double            relative_error; ///< error of elastic energy
     CsvTable                table;
     std::vector<TipValues>  of_last_period;
   };
