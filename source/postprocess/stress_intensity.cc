@@ -314,7 +314,7 @@ namespace Crevasse
                             const MaterialState<2> &material,
                             const TipElasticity    &at_tip) const
   {
-    Estimate all{};
+    Estimate   all{};
     const auto integrate = [&](const CrackMode      mode,
                                const Integrals     &squares,
                                const ContactForces &lips) {

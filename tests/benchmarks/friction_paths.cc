@@ -1,0 +1,351 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Crevasse authors
+
+// Friction on the lips of plates: 2000 seeded increments, each with three
+// followers, and 900 paths of six steps to and fro. Cracks are straight, close
+// to a side, wavy, kinked, or between two materials, with 20 to 400 pairs and
+// coefficients of 0 to 2. An increment is lost if its solution violates the law
+// by more than 1e-9. Fails if one is lost, if warm increments of 100 pairs need
+// more than 3.5 sets in the mean, or GMRES more than 15 iterations.
+//
+//   ninja -C build friction_paths && OMP_NUM_THREADS=1
+//   build/tests/benchmarks/friction_paths [n]    # one nth of the problems
+
+#include <crevasse/base/single_process.h>
+#include <crevasse/contact/friction_problem.h>
+#include <crevasse/linear/cholesky.h>
+
+#include <deal.II/base/logstream.h>
+
+#include <crevasse_tests/cracked_plate.h>
+#include <cstdio>
+#include <random>
+#include <sstream>
+
+using namespace Crevasse;
+
+namespace
+{
+  using Small  = dealii::Vector<double>;
+  using Random = std::mt19937;
+
+  double
+  normal(Random &random)
+  {
+    return std::normal_distribution<double>()(random);
+  }
+
+  /** The lip of a plate: its stiffness, and the loads of three tractions. */
+  struct Lip
+  {
+    Lip(const LipShape shape, const unsigned int n_pairs)
+      : plate(shape, n_pairs)
+      , problem(plate.matrix, plate.bounds)
+      , factor(plate.matrix, problem.all_lip_dofs())
+    {
+      for (const char *traction : {"0; 1", "1; 0", "0; x/2"})
+        {
+          Vector u;
+          plate.strain_operator.initialize(u);
+          factor.solve_with_lip(u, plate.loads(traction), [this](Small &c) {
+            loads.push_back(c);
+            c = 0.;
+          });
+        }
+    }
+
+    std::vector<FrictionProblem::Pair>
+    pairs(const Small &gap) const
+    {
+      std::vector<FrictionProblem::Pair> all;
+      for (unsigned int i = 0; i < gap.size(); ++i)
+        all.push_back(
+          {i,
+           {{i + unsigned(gap.size()), dealii::numbers::invalid_unsigned_int}},
+           gap(i)});
+      return all;
+    }
+
+    /** Smooth functions of the place on the lip, of the size of 1. */
+    Small
+    smooth(Random &random) const
+    {
+      Small values(plate.lip.nodes.size());
+      for (unsigned int k = 0; k < 4; ++k)
+        {
+          const double size  = normal(random) / (1 + k),
+                       phase = 3. * normal(random);
+          for (unsigned int i = 0; i < values.size(); ++i)
+            values(i) += size * std::cos(0.5 * k * dealii::numbers::PI *
+                                           plate.lip.nodes[i].point[0] +
+                                         phase);
+        }
+      return values;
+    }
+
+    /** Smooth jumps, which vanish at the tips, of the size of those under a
+     * stress of 1. */
+    Small
+    smooth_jumps(Random &random) const
+    {
+      Small values = smooth(random);
+      for (unsigned int i = 0; i < values.size(); ++i)
+        values(i) *= std::sqrt(std::max(0.,
+                                        1. - plate.lip.nodes[i].point[0] *
+                                               plate.lip.nodes[i].point[0]));
+      return values;
+    }
+
+    Small
+    random_loads(Random &random) const
+    {
+      Small       c(loads[0]);
+      const Small across = smooth(random), along = smooth(random);
+      c *= -std::uniform_real_distribution<double>(0., 1.5)(random);
+      c.add(normal(random), loads[1], normal(random), loads[2]);
+      for (unsigned int i = 0; i < across.size(); ++i)
+        {
+          const double stress = 0.3 * plate.lip.nodes[i].weight;
+          c(i) += stress * across(i);
+          c(i + across.size()) += stress * along(i);
+        }
+      return c;
+    }
+
+    const CrackedPlate     plate;
+    const SignoriniProblem problem;
+    Cholesky               factor;
+    std::vector<Small>     loads;
+  };
+
+
+
+  /** Largest violation of Coulomb's law and of Signorini's conditions, forces
+   * relative to the largest of |c| and |Σ_ii q_i|, jumps to that of |q|. */
+  double
+  violation(const dealii::LAPACKFullMatrix<double>   &stiffness,
+            const std::vector<FrictionProblem::Pair> &pairs,
+            const FrictionState                      &increment,
+            const Small                              &c,
+            const Small                              &q)
+  {
+    Small g(c.size());
+    stiffness.vmult(g, q);
+    g -= c;
+    double force = c.linfty_norm();
+    for (unsigned int i = 0; i < c.size(); ++i)
+      force = std::max(force, std::abs(stiffness(i, i) * q(i)));
+    const double       jump  = q.linfty_norm();
+    const unsigned int m     = pairs.size();
+    double             worst = 0.;
+    for (unsigned int i = 0; i < m; ++i)
+      {
+        const double bound = increment.coefficients[i] * std::max(g(i), 0.);
+        const double slip  = q(m + i) - increment.reference[0][i];
+        worst              = std::max(
+          {worst,
+                        std::abs(std::min(g(i) / force, (q(i) - pairs[i].gap) / jump)),
+                        (std::abs(g(m + i)) - bound) / force,
+                        std::min(std::abs(slip) / jump,
+                    std::abs(g(m + i) + std::copysign(bound, slip)) / force)});
+      }
+    return worst;
+  }
+
+
+
+  /** What solves needed. */
+  struct Counts
+  {
+    unsigned int problems = 0, lost = 0, cold = 0, n_warm = 0, warm = 0,
+                 most_warm = 0, rescues = 0;
+
+    void
+    add(const Counts &other)
+    {
+      problems += other.problems;
+      lost += other.lost;
+      cold += other.cold;
+      n_warm += other.n_warm;
+      warm += other.warm;
+      most_warm = std::max(most_warm, other.most_warm);
+      rescues += other.rescues;
+    }
+
+    double
+    mean_warm() const
+    {
+      return warm / double(n_warm);
+    }
+
+    void
+    print(const char *name) const
+    {
+      std::printf(
+        "%-22s %5u problems  %2u lost  %4.1f sets cold  %4.1f warm, "
+        "at most %2u  %u by Lemke\n",
+        name,
+        problems,
+        lost,
+        cold / double(problems),
+        mean_warm(),
+        most_warm,
+        rescues);
+      std::fflush(stdout);
+    }
+  };
+
+
+
+  /** An increment and its followers, at parts of the way from its loads to
+   * other ones, each from the slip of the last. */
+  Counts
+  follow(const Lip                &lip,
+         const Small              &gap,
+         FrictionState             increment,
+         const std::vector<double> parts,
+         Random                   &random)
+  {
+    const auto      pairs = lip.pairs(gap);
+    const auto     &S     = lip.factor.lip_stiffness();
+    FrictionProblem problem(S, pairs);
+    const Small     first = lip.random_loads(random),
+                second    = lip.random_loads(random);
+    Small      c(first), q(first.size());
+    Counts     counts;
+    const auto solve = [&]() {
+      problem.increment         = increment;
+      const unsigned int n_sets = problem.solve(c, q);
+      counts.lost +=
+        violation(S, pairs, increment, c, q) <= 1e-9 ? 0 : 1; // nan counts
+      increment.reference[0].assign(q.begin() + gap.size(), q.end());
+      return n_sets;
+    };
+    counts.problems = 1;
+    counts.cold     = solve();
+    for (const double part : parts)
+      {
+        c = first;
+        c.sadd(1. - part, part, second);
+        const unsigned int n_sets = solve();
+        counts.most_warm          = std::max(counts.most_warm, n_sets);
+        counts.warm += n_sets;
+        ++counts.n_warm;
+      }
+    counts.rescues = problem.n_rescues();
+    return counts;
+  }
+
+
+
+  Counts
+  increments(const Lip &lip, const unsigned int per_coefficient, Random &random)
+  {
+    Counts             all;
+    const unsigned int m = lip.plate.lip.nodes.size();
+    for (const double mu : {0., 0.1, 0.2, 0.3, 0.6, 1., 1.5, 2.})
+      for (unsigned int k = 0; k < per_coefficient; ++k)
+        {
+          Small         gap(m);
+          FrictionState increment{std::vector<double>(m, mu),
+                                  {std::vector<double>(m)}};
+          if (random() % 2 == 0)
+            {
+              gap = lip.smooth_jumps(random);
+              for (double &value : gap)
+                value = -0.5 * std::abs(value);
+            }
+          if (random() % 2 == 0)
+            {
+              const Small slip = lip.smooth_jumps(random);
+              increment.reference[0].assign(slip.begin(), slip.end());
+            }
+          all.add(follow(lip, gap, increment, {0.05, 0.1, 0.15}, random));
+        }
+    return all;
+  }
+
+
+
+  /** Paths to and fro, without gaps and from rest. */
+  Counts
+  paths(const Lip &lip, const unsigned int per_coefficient, Random &random)
+  {
+    Counts             all;
+    const unsigned int m = lip.plate.lip.nodes.size();
+    for (const double mu : {0.1, 0.3, 1.})
+      for (unsigned int k = 0; k < per_coefficient; ++k)
+        all.add(follow(lip,
+                       Small(m),
+                       {std::vector<double>(m, mu), {std::vector<double>(m)}},
+                       {0.05, 0.1, 0.15, 0.1, 0.05, 0.},
+                       random));
+    return all;
+  }
+
+
+
+  /** Largest number of iterations in what deal.II logged of GMRES. */
+  unsigned int
+  most_iterations(const std::string &log)
+  {
+    const std::string words = "Convergence step ";
+    unsigned int      most  = 0;
+    for (std::size_t at = 0; (at = log.find(words, at)) != std::string::npos;)
+      {
+        at += words.size();
+        most = std::max(most, unsigned(std::stoul(log.substr(at))));
+      }
+    return most;
+  }
+} // namespace
+
+
+
+int
+main(int argc, char **argv)
+{
+  set_up_single_process();
+  dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+  // 10 increments and 60 paths for each lip and coefficient, or a part.
+  const unsigned int part = argc > 1 ? std::stoul(argv[1]) : 1;
+  std::ostringstream log;
+  dealii::deallog.attach(log);
+  Random       random(1785);
+  Counts       all, of_100, of_paths;
+  unsigned int iterations = 0;
+  const auto   of_part    = [&random, part](const unsigned int n) {
+    return n / part + (random() % part < n % part ? 1 : 0);
+  };
+  for (const auto &[shape, name] :
+       {std::make_pair(LipShape::straight, "straight"),
+        std::make_pair(LipShape::shallow, "shallow"),
+        std::make_pair(LipShape::wavy, "wavy"),
+        std::make_pair(LipShape::kinked, "kinked"),
+        std::make_pair(LipShape::bimaterial, "bimaterial")})
+    for (const unsigned int n_pairs : {20, 50, 100, 200, 400})
+      {
+        const Lip lip(shape, n_pairs);
+        Counts    counts = increments(lip, of_part(10), random);
+        all.add(counts);
+        if (n_pairs == 100)
+          {
+            of_100.add(counts);
+            of_paths.add(paths(lip, of_part(60), random));
+          }
+        if (counts.problems > 0)
+          counts.print(
+            (std::string(name) + ", " + std::to_string(n_pairs) + " pairs")
+              .c_str());
+        iterations = std::max(iterations, most_iterations(log.str()));
+        log.str("");
+      }
+  all.print("all increments");
+  of_100.print("those of 100 pairs");
+  of_paths.print("paths of 100 pairs");
+  std::printf("GMRES: at most %u iterations\n", iterations);
+  const bool good = all.lost + of_paths.lost == 0 &&
+                    of_100.mean_warm() <= 3.5 && iterations > 0 &&
+                    iterations <= 15;
+  return good ? 0 : 1;
+}
