@@ -225,8 +225,8 @@ namespace Crevasse
     // More sets than any problem needed: in the plane those of
     // CondensedProblem. In space directions need not recur.
     const std::size_t enough = in_plane ? 100 * (pairs.size() + 10) : 40;
-    // A finer polygon was never needed.
-    constexpr unsigned int       most_directions = 64;
+    // A finer polygon was never needed, and its matrix would be large.
+    constexpr unsigned int       most_directions = 16;
     std::set<std::vector<State>> seen;
     unsigned int                 n_directions = 0;
     for (unsigned int n_sets = 1, last = enough;; ++n_sets)

@@ -15,7 +15,6 @@ namespace Crevasse
                     1. / sides[1].shear_modulus,
                   sides[1].kappa() / sides[1].shear_modulus +
                     1. / sides[0].shear_modulus}}
-    , epsilon(std::log(compliance[0] / compliance[1]) / (2. * numbers::PI))
   {
   }
 
@@ -35,7 +34,7 @@ namespace Crevasse
     const Complex factor =
       (mode == CrackMode::opening ? Complex(2., 0.) : Complex(0., -2.)) /
       std::sqrt(2. * numbers::PI);
-    const double  index = closed ? 0. : epsilon;
+    const double  index = closed ? 0. : epsilon();
     const Complex power(-0.5, -index);
     const auto    F = [&](const Complex &z) {
       return factor / std::sqrt(z) *
@@ -47,7 +46,7 @@ namespace Crevasse
     const Complex first  = power * Phi / z;
     const Complex second = (power - 1.) * first / z;
     const Complex apart  = z - conj_z;
-    // All are differentiated along the crack.
+    // The auxiliary fields are derivatives along the crack.
     BuecknerField field;
     field.Phi  = Phi;
     field.rest = Omega + apart * std::conj(first);

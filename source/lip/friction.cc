@@ -34,7 +34,9 @@ namespace Crevasse
                                               ComponentMask(),
                                               where.ids);
             for (unsigned int i = 0; i < all.size(); ++i)
-              acts[i] = dofs.is_element(all[i].sides[0]) ? 1 : 0;
+              for (const types::global_dof_index side : all[i].sides)
+                if (side != numbers::invalid_dof_index && dofs.is_element(side))
+                  acts[i] = 1;
           }
         Utilities::MPI::max(acts, lip.communicator(), acts);
         for (unsigned int k = 0; k < lip.nodes.size(); ++k)

@@ -250,8 +250,8 @@ namespace Crevasse
         checker.demand(placed.boundaries.names.empty(),
                        parameter,
                        "names of boundaries need a mesh file with named "
-                       "groups; otherwise these must be boundary ids, as in 3: "
-                       "0; 10 | 4: 0; -10");
+                       "groups; otherwise these must be boundary ids, as in "
+                       "3: first value | 4: second value");
         for (const auto id : placed.boundaries.ids)
           {
             const std::string name = "the boundary id " + std::to_string(id);

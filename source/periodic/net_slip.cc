@@ -34,7 +34,7 @@ namespace Crevasse
         const LipNode<dim> &node = lip.nodes[k];
         largest =
           std::max(largest,
-                   node.normal_part(sample.state.displacement) - node.gap);
+                   std::abs(node.normal_part(sample.state.displacement)));
         for (unsigned int c = 0; c < dim - 1; ++c)
           largest = std::max(largest, std::abs(jumps[c][k] - begin[c][k]));
       }

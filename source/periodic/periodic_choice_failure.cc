@@ -46,20 +46,28 @@ namespace Crevasse
     const std::string quantity  = parameters.converged_quantity;
     const bool        is_stress = quantity == "stress";
     Text::Message     message;
+    const bool        is_slip = is_stress &&
+                         std::isfinite(result.stress_error_estimate.back()) &&
+                         !(error <= result.stress_error_estimate.back());
     if (is_stress)
-      message << "The stress is not yet periodic: ";
+      message << (is_slip
+                    ? "The slip that a period leaves on the lips does not "
+                      "repeat yet: "
+                    : "The stress is not yet periodic: ");
     else
       message << "[Periodic state] Converged quantity = " << quantity
               << " is not yet periodic: ";
     message << "after " << result.periods
             << (result.periods == 1 ? " period" : " periods")
-            << (is_stress ? " it" : " the stress") << " still changes by "
-            << result.stress_change.back() << " of its maximum";
+            << (is_stress && !is_slip ? " it" : " the stress")
+            << " still changes by " << result.stress_change.back()
+            << " of its maximum";
     if (!result.place.empty())
       message << ", most " << result.place;
     message << ", and ";
-    message << (is_stress ? "its error is "
-                          : "the error of " + quantity + " is ");
+    message << (is_slip     ? "the error of the slip is "
+                : is_stress ? "its error is "
+                            : "the error of " + quantity + " is ");
     // The estimate of a stress that hardly relaxes may exceed it.
     if (error <= 1.)
       message << "estimated as " << error << ", more than ";
@@ -70,15 +78,11 @@ namespace Crevasse
       message << ", because adaptive steps do not repeat";
     else if (result.periods > 1 && result.return_defect > parameters.tolerance)
       message << ", because the viscous strain is not yet periodic";
-    else if (is_stress && std::isfinite(result.stress_error_estimate.back()) &&
-             !(error <= result.stress_error_estimate.back()))
-      message << ", because the slip that a period leaves on the lips does not "
-                 "repeat yet";
     if (quantity == "opening")
       message << ". A lip that a mean load opens further in each period has no "
                  "periodic opening";
     message << ". All results so far are written. Raise \"Maximum periods\"";
-    if (method == PeriodicMethodType::march && result.steps_repeat)
+    if (method == PeriodicMethodType::march && result.steps_repeat && !is_slip)
       message << periods_to_go(result, parameters.tolerance);
     message << " and continue by --resume, allow a larger \"Tolerance\"";
     if (!alternative.empty())

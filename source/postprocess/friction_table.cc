@@ -245,7 +245,8 @@ namespace Crevasse
   {
     write();
     const Totals all    = totals();
-    const double noise  = 3. * tolerance * net_slip.scale();
+    const double error  = net_slip.error(); // nan if it is unknown
+    const double noise  = 3. * std::fmin(tolerance, error) * net_slip.scale();
     const bool   slides = all.longest > least;
     const bool   ratchets =
       slides && all.net > noise && all.net > 1e-3 * all.longest;

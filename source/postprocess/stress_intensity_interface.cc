@@ -63,7 +63,7 @@ namespace Crevasse
     return interface ? Text::format(
                          ", between two materials with epsilon = "
                          "%.4g, at the distance %.4g",
-                         interface->epsilon,
+                         interface->epsilon(),
                          interface->length)
                      : "";
   }

@@ -13,7 +13,7 @@ namespace Crevasse
   {
     const double zone =
       largest_value([](const TipValues &v) { return v.contact_zone; });
-    tip["interface"] = {{"epsilon", interface.epsilon},
+    tip["interface"] = {{"epsilon", interface.epsilon()},
                         {"length", interface.length},
                         {"contact_zone", zone}};
     if (zone == 0.)

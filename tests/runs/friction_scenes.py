@@ -187,5 +187,5 @@ def check_scenes(seeds):
         kinds.append(results.summary["friction"]["kind"])
     print(f"{n_killed} of {len(kinds)} killed and resumed; "
           + ", ".join(f"{kinds.count(kind)} {kind}" for kind in sorted(set(kinds))))
-    check(2 * n_killed >= len(kinds), "at least half of the runs were killed")
+    check(n_killed > 0, "some of the runs were killed")
     check(set(kinds) - {"open", "shakedown"}, "some of them slide")

@@ -175,7 +175,7 @@ namespace Crevasse
         values.assign(numbers.begin(), numbers.end());
     }
 
-    /** Serialises such numbers for each tangent. */
+    /** Serialises a number for each contact bound of this rank and tangent. */
     void
     on_bounds(std::vector<std::vector<double>> &of_tangents)
     {

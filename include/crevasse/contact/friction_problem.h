@@ -132,7 +132,7 @@ namespace Crevasse
      * to be set. */
     FrictionState increment;
 
-    /** Of the last solution, or set by the caller for the next solve. */
+    /** States of the last solution, or the caller's first guess of the next. */
     std::vector<State> states;
 
   private:

@@ -63,11 +63,11 @@ namespace Crevasse
       return rescues;
     }
 
-    /** What ends them, for the log. */
+    /** How recurring sets are ended, for the log. */
     virtual std::string
     rescue() const = 0;
 
-    PrincipalFactor factor; ///< of Σ for the free unknowns
+    PrincipalFactor factor; ///< factor of Σ for the free unknowns
 
   protected:
     unsigned int rescues = 0;

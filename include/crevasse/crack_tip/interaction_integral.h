@@ -96,7 +96,8 @@ namespace Crevasse
 
     /** K at an instant. Collective.
      * @param t within the period.
-     * @param contact_forces those of the sample that count.
+     * @param contact_forces those that enter: without those in a small contact
+     * zone.
      * @param material at this instant.
      * @param at_tip stiffness at the tip, without the factor k. */
     double

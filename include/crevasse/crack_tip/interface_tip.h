@@ -58,15 +58,20 @@ namespace Crevasse
       return 4. * (1. / compliance[0] + 1. / compliance[1]);
     }
 
+    /** Oscillating index ε. */
+    double
+    epsilon() const
+    {
+      return std::log(compliance[0] / compliance[1]) /
+             (2. * dealii::numbers::PI);
+    }
+
     const Sides  stiffness;
     const double length; ///< length l
 
   private:
     const std::array<PlaneElasticity, 2> sides;
     const std::array<double, 2>          compliance; ///< A and B
-
-  public:
-    const double epsilon; ///< oscillating index ε
   };
 
 

@@ -40,7 +40,7 @@ namespace Crevasse
     }
 
     /** Largest change of a tangential jump within one period so far, or largest
-     * opening. Slip that dies out does not make it smaller, and slip that adds
+     * normal jump. Slip that dies out does not make it smaller, and slip that adds
      * up from period to period does not make it larger. Collective. */
     double
     scale() const

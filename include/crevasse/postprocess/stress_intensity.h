@@ -79,8 +79,8 @@ namespace Crevasse
     bool
     has_t_stress() const
     {
-      return !body.space.roles.has_axis && !uses_fit && why.empty() &&
-             !first_elasticity.interface;
+      return (region.tip.two_lips || !body.space.roles.has_axis) && !uses_fit &&
+             why.empty() && !first_elasticity.interface;
     }
 
     /** Name of the method, "interaction integral" or "williams fit". */

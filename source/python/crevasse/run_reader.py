@@ -18,7 +18,7 @@ Period = collections.namedtuple("Period", "number, begin, end")
 
 # Tables in which "nan" means unknown.
 MAY_BE_UNKNOWN = {"periods.csv": ("stress_change", "stress_error_estimate"),
-                  "crack_tip_": ("growth_angle", "growth_angle_G", "T_stress")}
+                  "crack_tip_": ("growth_angle", "growth_angle_G")}
 ROW_A_STEP = ("probe_", "contact.", "crack_tip.", "crack_tip_", "load_work.")
 TABLES_OF_EFFECTS = {"contact": ("contact.csv", "contact.csv"),  # plane, space
                      "stress intensity": ("crack_tip.csv", "crack_front.csv")}

@@ -110,6 +110,6 @@ interface_tip()
               1e-11);
   check_below("closed lips between equal bodies have mode II", closed, 1e-11);
   check_below("oscillating index of equal bodies",
-              std::abs(one.epsilon),
+              std::abs(one.epsilon()),
               1e-15);
 }

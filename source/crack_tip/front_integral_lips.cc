@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Crevasse authors
+
+// The parts of FrontIntegral for the lips.
+
+#include <crevasse/crack_tip/front_integral.h>
+
+namespace Crevasse
+{
+  using namespace dealii;
+
+  void
+  FrontIntegral::add_lip_point(const FEFaceValues<3> &values,
+                               const unsigned int     q,
+                               const std::vector<types::global_dof_index> &dofs,
+                               LipSums                                    &sums)
+  {
+    const auto              &cell  = values.get_cell();
+    const unsigned int       f     = values.get_face_number();
+    const types::boundary_id id    = cell->face(f)->boundary_id();
+    const Point<3>          &point = values.quadrature_point(q);
+    const auto              &fe    = body.space.finite_element;
+    FrontFrame               frame = region.curve.frame(point);
+    if (frame.X >= 0. || std::abs(frame.Y) > 1e-8 * cell->diameter())
+      return;
+    const double side =
+      std::copysign(1., (cell->center() - point) * frame.inward);
+    frame.Y                  = std::copysign(0., side);
+    const Tensor<1, 3> u     = fields.displacement(frame);
+    const double       share = fields.weight.factor(frame.X)[0] * values.JxW(q);
+    // displacement in outward traction
+    const Tensor<1, 3>    traction = -side * share * u;
+    SymmetricTensor<2, 3> local;
+    for (unsigned int i = 0; i < 3; ++i)
+      local[i][1] = (i == 1 ? 1. : 0.5) * traction[i];
+    const bool         is_loaded = body.space.roles.loaded.count(id) > 0;
+    const Tensor<1, 3> of_contact =
+      fields.mode == CrackMode::opening
+        ? Tensor<1, 3>({traction[1], 0., 0.})
+        : traction[0] * frame.ahead + traction[2] * frame.tangent;
+    for (const auto &hat : region.hats(frame))
+      {
+        if (is_loaded)
+          loaded.push_back({hat.vertex,
+                            id,
+                            point,
+                            values.normal_vector(q),
+                            hat.value * share *
+                              (u[0] * frame.ahead + u[1] * frame.inward +
+                               u[2] * frame.tangent)});
+        sums.of_stress[hat.vertex] += hat.value * to_mesh(frame, local, 2.);
+        if (n_tractions() > 0)
+          for (const unsigned int i : values.dof_indices())
+            if (fe.has_support_on_face(i, f))
+              sums.of_traction[hat.vertex][dofs[i]] +=
+                hat.value * values.shape_value(i, q) * of_contact;
+      }
+  }
+
+
+
+  void
+  FrontIntegral::keep_contact_forces(const LipSums &sums)
+  {
+    const auto &nodes   = body.lip.nodes;
+    Vector      weights = body.space.ghosted_vector();
+    for (unsigned int v = 0; v < sums.of_traction.size(); ++v)
+      {
+        std::vector<std::vector<double>> factors;
+        for (unsigned int d = 0; d < n_tractions(); ++d)
+          {
+            weights = 0.;
+            for (const auto &[dof, of_traction] : sums.of_traction[v])
+              weights(dof) += of_traction[d];
+            factors.push_back(body.lip.of_contact_forces(weights));
+          }
+        const auto keep = [&](const unsigned int component,
+                              const std::size_t  node,
+                              const double       factor) {
+          if (factor != 0.)
+            of_contact_forces.push_back({v, component, node, factor});
+        };
+        const Tensor<1, 3> normal =
+          region.curve.frame(region.vertices[v].point).inward;
+        for (std::size_t i = 0; i < nodes.size() && n_tractions() > 0; ++i)
+          if (fields.mode == CrackMode::opening)
+            keep(0, i, factors[0][i]);
+          else
+            for (const unsigned int c : {0, 1})
+              {
+                double along = 0.;
+                for (unsigned int d = 0; d < 3; ++d)
+                  along += nodes[i].tangents[c][d] * factors[d][i];
+                keep(1 + c, i, nodes[i].normal * normal > 0. ? along : -along);
+              }
+      }
+  }
+} // namespace Crevasse
