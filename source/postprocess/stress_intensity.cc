@@ -64,7 +64,7 @@ namespace Crevasse
       for (const CrackMode mode : modes())
         integrals.emplace_back(mode, integrate(mode, false));
     if (first_elasticity.interface && !tip.is_open)
-      of_closed_lips = integrate(CrackMode::sliding, true);
+      of_closed_lips.emplace(integrate(CrackMode::sliding, true));
     if (!can_fit())
       return;
     fit_radius = choose_fit_radius();
