@@ -40,8 +40,8 @@ namespace Crevasse
     }
 
     /** Largest change of a tangential jump within one period so far, or largest
-     * normal jump. Slip that dies out does not make it smaller, and slip that adds
-     * up from period to period does not make it larger. Collective. */
+     * normal jump. Slip that dies out does not make it smaller, and slip that
+     * adds up from period to period does not make it larger. Collective. */
     double
     scale() const
     {
