@@ -49,7 +49,7 @@ def test_half_plane():
 
 
 def test_both_lips():
-    """The half model has the T of the model of both lips, open and pressed: where lips
+    """An elastic half model has the T of the model of both lips, open and pressed: where lips
     press, T is the stress along the crack less that across it."""
     tables = []
     for half in (True, False):
@@ -57,7 +57,7 @@ def test_both_lips():
         scene = cracked.square_scene(
             mesh, half=half, more="subsection Crack tip\n  set Stress intensity = true\nend\n")
         name = "crack_tip.csv" if half else "crack_tip_1.csv"
-        tables.append(run(scene, f"half_{half}").table(name))
+        tables.append(run(scene, f"half_{half}", ["Material/Viscosity=none"]).table(name))
     one, other = tables
     size = max(map(abs, one["T_stress"]))
     check_below(max(abs(a - b) for a, b in zip(one["T_stress"], other["T_stress"],

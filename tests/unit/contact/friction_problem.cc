@@ -12,10 +12,9 @@
 
 #include <deal.II/lac/full_matrix.h>
 
+#include <crevasse_tests/friction_violation.h>
 #include <crevasse_tests/tests.h>
 #include <random>
-
-#include "friction_violation.h"
 
 using namespace Crevasse;
 

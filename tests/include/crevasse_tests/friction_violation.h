@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Crevasse authors
 
-#ifndef tests_unit_contact_friction_violation_h
-#define tests_unit_contact_friction_violation_h
+#ifndef crevasse_tests_friction_violation_h
+#define crevasse_tests_friction_violation_h
 
 #include <crevasse/contact/friction_problem.h>
 
