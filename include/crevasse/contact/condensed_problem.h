@@ -36,8 +36,8 @@ namespace Crevasse
                      const LipVector                        &gap,
                      const Extrapolation &extrapolation = {});
 
-    /** See ProblemOnLip::solve(). @param[out] displacement q, equal to the gap
-     * where closed. */
+    /** Solves the problem, as ProblemOnLip::solve() says. @param[out]
+     * displacement q, equal to the gap where closed. */
     unsigned int
     solve(const LipVector &loads, LipVector &displacement) override;
 

@@ -97,8 +97,8 @@ namespace Crevasse
     FrictionProblem(const dealii::LAPACKFullMatrix<double> &stiffness,
                     const std::vector<Pair>                &pairs);
 
-    /** See ProblemOnLip::solve(). @param[out] jumps q, equal to the gap where
-     * closed, to q_T^ref where stuck. */
+    /** Solves the problem, as ProblemOnLip::solve() says. @param[out] jumps q,
+     * equal to the gap where closed, to q_T^ref where stuck. */
     unsigned int
     solve(const LipVector &loads, LipVector &jumps) override;
 
