@@ -17,6 +17,33 @@ subsection Loads
 end
 """
 
+# Creep under a constant load until it is steady, with C(t) and the work of the load.
+STEADY_CREEP = """
+subsection Discretisation
+  set Degree = 2
+end
+subsection Loads
+  set Period = 4
+  set Traction = 0; 1
+end
+subsection Time integration
+  set Scheme = sdirk2
+  set Step control = list
+  set Steps = 0.01, 0.02, 0.04, 0.08, 0.16, 0.32, 0.6, 1, 1.5, 2, 3, 3.5
+end
+subsection Periodic state
+  set Maximum periods = 1
+  set Tolerance = 0
+end
+subsection Crack tip
+  set Creep integral = true
+end
+subsection Output
+  set Fields = none
+  set Load work = true
+end
+"""
+
 # Physical groups.
 LEFT, RIGHT, BOTTOM, TOP, FRONT, BACK, CRACK = 1, 2, 3, 4, 5, 6, 7
 

@@ -2,7 +2,7 @@
 of neighbouring crack lengths, the singular stress at the tip, and what must not
 change it."""
 
-from cracked import BOTTOM, CRACK, TOP, square, square_scene, write_rings
+from cracked import BOTTOM, CRACK, STEADY_CREEP, TOP, square, square_scene, write_rings
 import numpy
 from crevasse_run import (FULL, check, check_below, check_close, execute, overrides, plain,
                           run, run_on, tier)
@@ -31,30 +31,7 @@ subsection Material
   set Creep exponent = 3
   set Creep coefficient = {A}
 end
-subsection Discretisation
-  set Degree = 2
-end
-subsection Loads
-  set Period = 4
-  set Traction = 0; 1
-end
-subsection Time integration
-  set Scheme = sdirk2
-  set Step control = list
-  set Steps = 0.01, 0.02, 0.04, 0.08, 0.16, 0.32, 0.6, 1, 1.5, 2, 3, 3.5
-end
-subsection Periodic state
-  set Maximum periods = 1
-  set Tolerance = 0
-end
-subsection Crack tip
-  set Creep integral = true
-end
-subsection Output
-  set Fields = none
-  set Load work = true
-end
-"""
+""" + STEADY_CREEP
 
 
 def C_of(results, name="creep_integral.csv"):
