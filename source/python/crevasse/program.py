@@ -4,6 +4,7 @@
 """Runs scenes. The program is loaded once, as a server that forks for each run
 (source/app/server.h has its language); several may be under way at a time."""
 
+import contextlib
 import dataclasses
 import json
 import math
@@ -59,7 +60,9 @@ class Call:
 
     def terminate(self):
         if self.process and self.status is None:
-            os.kill(self.process, signal.SIGTERM)
+            # It may have ended; the answer with its status is on the way.
+            with contextlib.suppress(ProcessLookupError):
+                os.kill(self.process, signal.SIGTERM)
 
 
 class Server:
