@@ -7,7 +7,7 @@ import re
 import shutil
 from typing import NamedTuple
 
-from crevasse_run import SOURCE, check, execute, overrides, plain
+from crevasse_run import SOURCE, check, execute, overrides, plain, tier
 
 MESHES = SOURCE / "tests" / "meshes"
 
@@ -1006,7 +1006,7 @@ def test_unused_parameters():
 
     # used.prm sets everything, but only what differs from the default counts.
     check(len(warnings_of(results / "used.prm")) == 1, "used.prm")
-    for path in sorted([*SOURCE.glob("prm/**/*.prm"),
+    for path in sorted([*SOURCE.glob(tier("prm/*.prm", "prm/**/*.prm")),
                         *SOURCE.glob("tests/scenes/*.prm")]):
         if path.name not in ("raous1980_body.prm",  # part of others
                              "penny_crack.prm"):  # its mesh has to be made first

@@ -190,7 +190,7 @@ def test_jobs():
     """Points of very different costs, one refused, one that fails, in one process after
     the other or two at a time: the same, but for times."""
     for name, more in (("study", ()), ("errors", (
-            "--reference", STEPS + "=320", "--error", "contact/force,stress"))):
+            "--reference", STEPS + "=320", "--error", "contact/force,stress")))[:tier(1, 2)]:
         kept = {}
         for jobs in ("1", "2"):
             rows, output = sweep(

@@ -112,7 +112,7 @@ def test_columns_and_repeats():
     columns = f"{STEPS},error:probe_top/u,processor_seconds,nonsense"
     rows, output = sweep("repeated", *VARY, *REFERENCE, "--repeat", "2",
                          "--columns", columns)
-    once, _ = sweep("order", *VARY, *REFERENCE)
+    once, _ = sweep("order", *VARY, *REFERENCE, fresh=False)
     check(without_seconds(rows) == without_seconds(once), "other results")
     check("no run has nonsense" in output, output)
     latex = pathlib.Path("results/repeated/sweep.tex").read_text().splitlines()
@@ -124,6 +124,7 @@ def test_columns_and_repeats():
     check(status == 2 and "one at a time" in error, error)
 
 
+@full
 def test_bars():
     """Error bars of each point are in all tables, and hold against a finer run; a sweep
     without them is computed again."""
@@ -378,6 +379,7 @@ def test_mistakes():
     check(status == 0 and "--vary" in output and "probe_NAME" in output, output)
 
 
+@full
 def test_ranks():
     """A crack with contact, on one and on two ranks, which also read what the
     other has left."""
