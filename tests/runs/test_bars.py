@@ -140,8 +140,9 @@ def test_no_limit():
     for scene, settings, part, why in (
             (ELASTIC, elastic(1, 0, "8, 8", *rubber), "mesh", "lock"),
             (ELASTIC, elastic(1, 0, "8, 8", halves), "mesh", "jumps within cells"),
-            (ELASTIC, elastic(1, 0, "25, 25", halves.replace("72", "7")), "mesh", "jumps"),
-            (PERIODIC, flows, "mesh", "lock"), (PERIODIC, pulse, "time", "steps miss")):
+            (PERIODIC, pulse, "time", "steps miss"), *tier([], [
+                (ELASTIC, elastic(1, 0, "25, 25", halves.replace("72", "7")), "mesh", "jumps"),
+                (PERIODIC, flows, "mesh", "lock")])):
         found, output = bars("no_limit", scene, settings)
         entry = found["opening"]
         check(entry["bar"] is entry[part] is None and f"no limit: {entry['why'][10:]}"
@@ -150,9 +151,11 @@ def test_no_limit():
         tip = crevasse.read("results/no_limit").summary.get("crack_tip", {})
         check(tip.get("K_I_error", 1.) > 0., f"{tip}")
     for settings in (
-            elastic(1, 0, "8, 8", *rubber, "Discretisation/Volumetric strain=mean"),
             elastic(2, 0, "8, 8", *rubber), elastic(1, 0, "8, 8", halves.replace("72", "75")),
-            elastic(1, 0, "8, 8", "Material/Young modulus=if(x < 0.7, 1, 1 + x - 0.7)")):
+            *tier([], [
+                elastic(1, 0, "8, 8", *rubber, "Discretisation/Volumetric strain=mean"),
+                elastic(1, 0, "8, 8",
+                        "Material/Young modulus=if(x < 0.7, 1, 1 + x - 0.7)")])):
         check(bars("limit", ELASTIC, settings)[0]["opening"]["bar"] > 0., f"{settings}")
 
 

@@ -231,9 +231,9 @@ def test_growth():
 def test_jumps():
     """Of the load where the period ends, and within it: no row is a difference
     across them, and growth goes on beside them."""
-    for load, first in (("0; 1 + t/4", [0.2, 4.2]),
-                        ("0; if(t < 2, 1, 1.5)", [0.2, 4.2, 2.2, 6.2]),
-                        ("0; if(t < 3.9, 1, 1.5)", [0.2, 4.2])):
+    loads = (("0; if(t < 2, 1, 1.5)", [0.2, 4.2, 2.2, 6.2]), ("0; 1 + t/4", [0.2, 4.2]),
+             ("0; if(t < 3.9, 1, 1.5)", [0.2, 4.2]))
+    for load, first in loads[:tier(1, None)]:
         results = run(SCENE, "jumps", [
             f"Loads/Traction={load}", "Time integration/Step control=uniform",
             "Periodic state/Maximum periods=2", "Crack tip/Crack growth law=creep",

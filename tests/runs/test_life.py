@@ -135,6 +135,7 @@ def test_ends():
     check(found["stopped_by"] == "ligament" and found["to"] == 0.8, f"{found}")
 
 
+@full
 def test_values_and_blocks():
     """Lengths given with values, as of mesh files; a scene and itself as a block."""
     lengths = "0.2,0.3,0.4,0.5,0.6"
