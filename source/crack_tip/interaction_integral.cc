@@ -202,8 +202,8 @@ namespace Crevasse
                 QIterated<2>(QGauss<1>(4), 8));
     for (const auto &cell : owned_cells(space.mesh()))
       {
-        const auto &reach = region.reach(cell->active_cell_index());
-        if (reach.first >= squares.size)
+        const unsigned int index = cell->active_cell_index();
+        if (!region.overlaps(index, squares.size))
           continue;
         center                    = region.tip.local(cell->center());
         const std::size_t   first = body.points.first_point(cell);
@@ -217,7 +217,8 @@ namespace Crevasse
                 points.weight[kernel.point]);
         else
           {
-            const FEValues<2> &values = rules.reinit(cell, reach.first == 0.);
+            const FEValues<2> &values =
+              rules.reinit(cell, region.reach(index).first == 0.);
             for (const unsigned int q : values.quadrature_point_indices())
               {
                 Kernel here;

@@ -68,8 +68,8 @@ namespace Crevasse
     body.points.initialize(stress);
     for (const auto &cell : owned_cells(space.dof_handler))
       {
-        if (region.reach(cell->active_cell_index()).first >=
-            region.largest_radius())
+        if (!region.overlaps(cell->active_cell_index(),
+                             region.largest_radius()))
           continue;
         for (unsigned int i = 0; i < nodal.size(); ++i)
           nodal[i] =

@@ -65,8 +65,10 @@ namespace Crevasse
             if (!region.is_of_tip(a, b) || r_a + r_b <= 0. ||
                 std::min(r_a, r_b) >= size)
               continue;
-            const double        begin = std::max(r_a, 0.);
-            const double        end   = std::max(r_b, 0.);
+            // The root of what rounding leaves of 0 would not be small.
+            const double        tiny  = 1e-10 * (r_a + r_b);
+            const double        begin = r_a > tiny ? r_a : 0.;
+            const double        end   = r_b > tiny ? r_b : 0.;
             const Quadrature<1> rule  = inverse_root_rule(begin, end);
             std::vector<double> roots;
             for (const Point<1> &node : rule.get_points())

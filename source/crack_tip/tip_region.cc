@@ -206,6 +206,14 @@ namespace Crevasse
 
 
 
+  bool
+  TipRegion::overlaps(const unsigned int cell, const double size) const
+  {
+    return reach(cell).first < size * (1. - rounding);
+  }
+
+
+
   SquareWeight
   TipRegion::weight(const double size) const
   {

@@ -68,7 +68,7 @@ namespace Crevasse
     bool
     is_within(const Cell &cell) const
     {
-      return region.reach(cell->active_cell_index()).first < radius();
+      return region.overlaps(cell->active_cell_index(), radius());
     }
 
     /** Derivative ∂/∂X₁ of a recovered field at all points. Collective. */

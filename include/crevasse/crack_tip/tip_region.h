@@ -129,6 +129,10 @@ namespace Crevasse
       return cells[cell];
     }
 
+    /** Whether a cell of this rank overlaps a square by more than rounding. */
+    bool
+    overlaps(const unsigned int cell, const double size) const;
+
     /** Weight of a square; its exponent depends on whether it cuts cells.
      * Collective. */
     SquareWeight
