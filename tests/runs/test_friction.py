@@ -320,10 +320,12 @@ end
     check_close(K[0][1.55], K[1][1.55], 1e-6, "K_II after the jump")
 
 
-# Pressures that vary along the crack, so that pairs slide and open one by one.
+# Pressures that vary along the crack, so that pairs slide and open one by one, but for one.
 ORDERS = {"pressed": ("1 + 0.5*sin(2*pi*t) + 0.4*x", "0.5*cos(2*pi*t)"),
           "opening": ("0.4 + sin(2*pi*t) + 0.4*x", "0.5*cos(2*pi*t)"),
-          "closing": ("1.4*sin(2*pi*t) - 0.5 - 0.3*x", "0.5*sin(4*pi*t)")}
+          "closing": ("1.4*sin(2*pi*t) - 0.5 - 0.3*x", "0.5*sin(4*pi*t)"),
+          "wandering": ("0.5 + 0.8*sin(2*pi*t) - 0.4*x", "0.4*sin(2*pi*t + 1) + 0.3"),
+          "uniform": ("1 + 0.5*sin(2*pi*t)", "0.5*cos(2*pi*t)")}
 
 
 @full
@@ -338,7 +340,7 @@ subsection Periodic state
 end
 """, viscosity="chain\n  set Chain = 0.7: 0.3")
         errors = {}
-        for events in ("true", "false"):
+        for events in ("true",) if name in ("wandering", "uniform") else ("true", "false"):
             found = []
             for n in (20, 40, 80, 160, 640):
                 results = run(text, f"order_{name}_{events}_{n}", [
@@ -356,7 +358,8 @@ end
         if name == "closing":
             check_below(errors["true"][-1], 1e-4, "closing: error of K")
         else:
-            check(order["true"] >= 1.7, f"{name}: order {order}")
+            check(order["true"] >= (1.5 if name == "uniform" else 1.7),
+                  f"{name}: order {order}")
 
 
 def test_rigid_plane():
