@@ -78,7 +78,7 @@ namespace Crevasse
     LipVector ones(n);
     ones = 1.;
     CondensedProblem problem(inverse, ones, LipVector(n));
-    problem.closed.assign(n, true);
+    problem.start_from(Set(n, true));
     std::map<Set, LipVector> weights_of_sets;
     LipVector                loads(n), forces(n);
     for (unsigned int j = 0; j < openings.size(); ++j)
@@ -93,11 +93,10 @@ namespace Crevasse
             loads *= -1.;
             problem.solve(loads, forces);
             inverse.vmult(opening, forces, true);
+            pressed = problem.closed_pairs();
+            pressed.flip();
             for (unsigned int i = 0; i < n; ++i)
-              {
-                pressed[i] = !problem.closed[i];
-                response.mean(i) += weights[j](i) * forces(i);
-              }
+              response.mean(i) += weights[j](i) * forces(i);
             LipVector &sum = weights_of_sets[pressed];
             if (sum.size() == 0)
               sum.reinit(n);

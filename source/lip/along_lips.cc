@@ -36,6 +36,15 @@ namespace Crevasse
     const auto               &nodes = basis.nodes;
     std::vector<unsigned int> starts(nodes.size()), order;
     std::iota(starts.begin(), starts.end(), 0);
+    if (dim == 3)
+      {
+        std::stable_sort(starts.begin(),
+                         starts.end(),
+                         [&](const auto a, const auto b) {
+                           return nodes[a].lip < nodes[b].lip;
+                         });
+        return starts;
+      }
     auto                                      faces = basis.nodes_of_faces;
     std::multimap<unsigned int, unsigned int> faces_at; // faces by end
     for (unsigned int f = 0; f < faces.size(); ++f)
@@ -49,15 +58,13 @@ namespace Crevasse
     // Lips that are closed curves have no end, and begin anywhere.
     const auto place = [&](const unsigned int i) {
       return std::make_tuple(nodes[i].lip,
-                             dim == 2 && faces_at.count(i) != 1,
-                             dim == 2 ? nodes[i].point[0] : double(i),
+                             faces_at.count(i) != 1,
+                             nodes[i].point[0],
                              nodes[i].point[1]);
     };
     std::sort(starts.begin(), starts.end(), [&](const auto a, const auto b) {
       return place(a) < place(b);
     });
-    if (dim == 3)
-      return starts;
 
     std::vector<bool> has_node(nodes.size()), has_face(faces.size());
     const auto        add = [&](const unsigned int i) {

@@ -67,19 +67,22 @@ namespace Crevasse
   AveragedBody<dim>::flowing(LipVector &mean) const
   {
     return [&mean, this](LipVector &on_lip) {
-      const auto      &sigma = flow.lip_stiffness();
-      CondensedProblem problem(sigma, sign, LipVector(sign.size()));
-      LipVector        loads = on_lip;
+      const auto       &sigma = flow.lip_stiffness();
+      CondensedProblem  problem(sigma, sign, LipVector(sign.size()));
+      LipVector         loads = on_lip;
+      std::vector<bool> closed(sign.size());
       for (unsigned int k = 0; k < sign.size(); ++k)
         {
           loads(k) -= sign(k) * mean(k);
-          problem.closed[k] = mean(k) > 0.;
+          closed[k] = mean(k) > 0.;
         }
+      problem.start_from(closed);
       problem.solve(loads, on_lip);
+      closed = problem.closed_pairs();
       sigma.vmult(mean, on_lip);
       mean -= loads;
       for (unsigned int k = 0; k < sign.size(); ++k)
-        mean(k) = problem.closed[k] ? std::max(0., sign(k) * mean(k)) : 0.;
+        mean(k) = closed[k] ? std::max(0., sign(k) * mean(k)) : 0.;
     };
   }
 

@@ -59,10 +59,6 @@ namespace Crevasse
       return "node by node";
     }
 
-    /** Whether each node is closed: in the last solution or, if set by the
-     * caller, in the first guess of the next solve. */
-    std::vector<bool> closed;
-
   private:
     using Set = std::vector<bool>;
 
@@ -79,6 +75,7 @@ namespace Crevasse
     double
     product_in_row(const unsigned int i, const LipVector &v) const;
 
+    Set                 closed; ///< nodes of the last set
     const unsigned int  n;
     const LipVector     sign, gap;
     const Extrapolation extrapolation;
