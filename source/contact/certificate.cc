@@ -3,9 +3,9 @@
 
 #include <crevasse/base/text.h>
 #include <crevasse/contact/certificate.h>
+#include <crevasse/contact/coulomb_law.h>
 
 #include <deal.II/base/mpi.h>
-#include <deal.II/base/tensor.h>
 
 #include <algorithm>
 #include <cmath>
@@ -99,27 +99,6 @@ namespace Crevasse
 
   namespace
   {
-    /** Violation of Coulomb's law at a bound: the distance of g_T to the
-     * nearest allowed force to g_T − δ. In the plane it is max(|g_T| − μg,
-     * min(|δ|, |g_T + μg sign δ|)); in space the direction of a slip that is
-     * hardly more than rounding counts no more than the slip itself.
-     *
-     * @param force g_T along the tangents, relative to the scale of forces.
-     * @param limit μg, alike.
-     * @param slip δ, relative to the scale of displacements. */
-    double
-    violation_of_friction(const Tensor<1, 2> &force,
-                          const double        limit,
-                          const Tensor<1, 2> &slip)
-    {
-      Tensor<1, 2> allowed = force - slip;
-      if (const double size = allowed.norm(); size > limit)
-        allowed *= limit / size;
-      return (force - allowed).norm();
-    }
-
-
-
     /** Moves the forces along tangents from the residual to @p contact_forces.
      * @return the largest violation of Coulomb's law, relative to the scales.
      */

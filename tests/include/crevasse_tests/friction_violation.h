@@ -4,6 +4,7 @@
 #ifndef crevasse_tests_friction_violation_h
 #define crevasse_tests_friction_violation_h
 
+#include <crevasse/contact/coulomb_law.h>
 #include <crevasse/contact/friction_problem.h>
 
 #include <algorithm>
@@ -43,12 +44,9 @@ violation(const Crevasse::FrictionProblem &lip,
             slip[c] = (jumps(T) - lip.increment.reference[c][i]) / jump;
           }
       const double limit = lip.increment.coefficients[i] * std::max(normal, 0.);
-      // The nearest allowed force to g_T − δ: see Certificate.
-      dealii::Tensor<1, 2> allowed = g - slip;
-      if (const double size = allowed.norm(); size > limit)
-        allowed *= limit / size;
-      worst = std::max(
-        {worst, std::abs(std::min(normal, opening)), (g - allowed).norm()});
+      worst              = std::max({worst,
+                                     std::abs(std::min(normal, opening)),
+                                     Crevasse::violation_of_friction(g, limit, slip)});
     }
   return worst;
 }
