@@ -11,7 +11,6 @@
 #include <Teuchos_LAPACK.hpp>
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <set>
 
 namespace Crevasse
@@ -20,26 +19,6 @@ namespace Crevasse
 
   namespace
   {
-    constexpr double rounding = 100. * std::numeric_limits<double>::epsilon();
-
-
-
-    /** Slip against a trial force that is not 0 and not below its limit. */
-    FrictionProblem::State
-    slide(const Tensor<1, 2> &trial, const double limit, const double stiffness)
-    {
-      // As a pair begins to slide, its direction changes more and more easily.
-      // A stiffer spring would not save steps, but cost digits.
-      constexpr double stiffest = 1e4;
-      const double     size = trial.norm(), excess = size - limit;
-      return {SlipState::slip,
-              -trial / size,
-              stiffness *
-                (limit < stiffest * excess ? limit / excess : stiffest)};
-    }
-
-
-
     /** The equations of states: those of Σ on the free unknowns, but where a
      * pair slides along d, the row of each tangent has d μ times that of the
      * normal, and the spring across d. */
@@ -152,6 +131,26 @@ namespace Crevasse
       }
       PrincipalFactor &factor;
     };
+
+
+
+    /** Solves the equations of states in the plane from a first guess on.
+     * @param factor of the free unknowns. @return false if it takes long. */
+    bool
+    solve_by_gmres(const Equations              &equations,
+                   PrincipalFactor              &factor,
+                   const dealii::Vector<double> &right_hand_side,
+                   dealii::Vector<double>       &x)
+    {
+      using GMRES = SolverGMRES<dealii::Vector<double>>;
+      // Elimination costs about as much.
+      constexpr unsigned int most      = 15;
+      const double           tolerance = 1e-15 * x.l2_norm();
+      IterationNumberControl control(most, tolerance);
+      GMRES(control, GMRES::AdditionalData(most + 2))
+        .solve(equations, x, right_hand_side, Preconditioner{factor});
+      return control.last_value() <= tolerance;
+    }
   } // namespace
 
 
@@ -296,103 +295,20 @@ namespace Crevasse
       equations.add_normal_rows(right_hand_side, LipVector(right_hand_side));
     equations.restrict_to_free(right_hand_side);
     jumps = right_hand_side;
-    if (has_slip && !in_plane)
-      {
-        // Without a unique solution, other states follow.
-        if (!equations.solve(jumps, elimination))
-          jumps = 0.;
-      }
-    else
+    if (in_plane || !has_slip)
       {
         factor.choose(is_free);
         factor.solve(jumps);
       }
-    if (has_slip && in_plane)
+    if (has_slip &&
+        !(in_plane &&
+          solve_by_gmres(equations, factor, right_hand_side, jumps)))
       {
-        constexpr unsigned int most = 100;
-        IterationNumberControl control(most, 1e-15 * jumps.l2_norm());
-        SolverGMRES<LipVector>(control,
-                               SolverGMRES<LipVector>::AdditionalData(most + 2))
-          .solve(equations, jumps, right_hand_side, Preconditioner{factor});
+        jumps = right_hand_side;
+        // Without a unique solution, other states follow.
+        if (!equations.solve(jumps, elimination))
+          jumps = 0.;
       }
     jumps += fixed;
-  }
-
-
-
-  std::vector<FrictionProblem::State>
-  FrictionProblem::next_states(const LipVector &loads,
-                               const LipVector &jumps) const
-  {
-    Candidate candidate{loads, jumps, LipVector(loads.size()), 0.};
-    factor.matrix.vmult(candidate.forces, jumps);
-    candidate.forces -= loads;
-    candidate.largest = jumps.linfty_norm();
-    for (const auto &along : increment.reference)
-      for (const double jump : along)
-        candidate.largest = std::max(candidate.largest, std::abs(jump));
-    std::vector<State> next;
-    for (unsigned int i = 0; i < pairs.size(); ++i)
-      next.push_back(next_state(i, candidate));
-    return next;
-  }
-
-
-
-  FrictionProblem::State
-  FrictionProblem::next_state(const unsigned int i,
-                              const Candidate   &candidate) const
-  {
-    const auto &[loads, jumps, forces, largest] = candidate;
-    const auto        &stiffness                = factor.matrix;
-    const Pair        &pair                     = pairs[i];
-    const unsigned int N                        = pair.normal;
-    const double       mu                       = increment.coefficients[i];
-    const double       limit                    = mu * std::max(forces(N), 0.);
-    const double       opening                  = jumps(N) - pair.gap;
-    const double       least = -rounding * largest; // jump, but for errors
-    double             noise = std::abs(loads(N)) + stiffness(N, N) * largest;
-    double mean = 0.; // stiffness along tangents, however these are turned
-    Tensor<1, 2> slip, force;
-    for (const unsigned int c : {0, 1})
-      if (pair.has(c))
-        {
-          const unsigned int T = pair.tangents[c];
-          slip[c]              = jumps(T) - increment.reference[c][i];
-          force[c]             = forces(T);
-          mean += stiffness(T, T) / pair.n_tangents();
-          noise =
-            std::max(noise, std::abs(loads(T)) + stiffness(T, T) * largest);
-        }
-    noise *= rounding;
-
-    const State &state = states[i];
-    switch (state.kind)
-      {
-        case SlipState::open:
-          if (opening >= least)
-            return state;
-          if (const double allowed = -mu * stiffness(N, N) * opening;
-              mean * slip.norm() > allowed)
-            return slide(-mean * slip, allowed, mean);
-          return {};
-        case SlipState::stick:
-          if (forces(N) < -noise)
-            return {SlipState::open, {}, 0.};
-          return force.norm() > limit + noise ? slide(force, limit, mean)
-                                              : state;
-        case SlipState::slip:
-          break;
-      }
-    if (forces(N) < -noise)
-      return {SlipState::open, {}, 0.};
-    if (state.direction * slip < least)
-      return {};
-    if (const Tensor<1, 2> trial = force - mean * slip;
-        pair.n_tangents() > 1 && trial.norm() > 0.)
-      if (const State turned = slide(trial, limit, mean);
-          (force + limit * turned.direction).norm() > noise)
-        return turned;
-    return state;
   }
 } // namespace Crevasse

@@ -126,6 +126,18 @@ namespace Crevasse
       return "by Lemke's method";
     }
 
+    /**
+     * Takes the states of a solution by Lemke's method with a polygon for the
+     * limit of g_T: on the complementarity problem in g_N, the parts of g_T
+     * along some directions, and the size of the slip (Stewart and Trinkle,
+     * Int. J. Numer. Meth. Engng 39, 1996). Its matrix is copositive for every
+     * μ ≥ 0, so that the method ends with a solution (Cottle, Pang and Stone,
+     * theorem 4.4.13). In the plane, two directions are exact. The next solve
+     * begins with these states.
+     */
+    void
+    solve_by_lemke(const LipVector &loads, const unsigned int n_directions);
+
     const std::vector<Pair> pairs;
 
     /** Coefficient of friction of each pair and its q_T^ref along each tangent:
@@ -148,28 +160,6 @@ namespace Crevasse
     /** The states that jumps and forces call for. */
     std::vector<State>
     next_states(const LipVector &loads, const LipVector &jumps) const;
-
-    /** What next_states() knows of the increment. */
-    struct Candidate
-    {
-      const LipVector &loads, &jumps;
-      LipVector        forces;
-      double           largest; ///< largest jump
-    };
-
-    State
-    next_state(const unsigned int i, const Candidate &candidate) const;
-
-    /**
-     * Takes the states of a solution by Lemke's method with a polygon for the
-     * limit of g_T: on the complementarity problem in g_N, the parts of g_T
-     * along some directions, and the size of the slip (Stewart and Trinkle,
-     * Int. J. Numer. Meth. Engng 39, 1996). Its matrix is copositive for every
-     * μ ≥ 0, so that the method ends with a solution (Cottle, Pang and Stone,
-     * theorem 4.4.13). In the plane, two directions are exact.
-     */
-    void
-    solve_by_lemke(const LipVector &loads, const unsigned int n_directions);
 
     const bool          in_plane; ///< whether only the first tangents exist
     LipVector           fixed, right_hand_side;
