@@ -41,41 +41,6 @@ namespace Crevasse
                           values);
       return value;
     }
-
-
-
-    /** Values at the vertices of a front of a function of which the means with
-     * the hat functions as weights are given: a mean exceeds the value by h²/12
-     * of the second derivative. Ends on planes of symmetry are like others; at
-     * other ends the function is taken as linear. */
-    std::vector<double>
-    values_of_means(const std::vector<double>              &means,
-                    const std::vector<FrontRegion::Vertex> &vertices)
-    {
-      std::vector<double>                              values = means;
-      std::vector<std::pair<std::size_t, std::size_t>> ends; // and neighbours
-      for (std::size_t v = 0, first = 0; v < means.size(); ++v)
-        {
-          if (vertices[v].chain != vertices[first].chain)
-            first = v;
-          if (vertices[v].after == 0.)
-            continue; // end of an open front
-          const bool is_last =
-            v + 1 == means.size() || vertices[v + 1].chain != vertices[v].chain;
-          const std::size_t next = is_last ? first : v + 1;
-          const double      change =
-            vertices[v].after / 12. * (means[next] - means[v]);
-          values[v] -= change / vertices[v].integral();
-          values[next] += change / vertices[next].integral();
-          if (vertices[v].is_end() != vertices[next].is_end())
-            ends.push_back(vertices[v].is_end() ? std::make_pair(v, next)
-                                                : std::make_pair(next, v));
-        }
-      for (const auto &[end, neighbour] : ends)
-        if (!vertices[end].on_symmetry)
-          values[end] = 1.5 * means[end] - 0.5 * values[neighbour];
-      return values;
-    }
   } // namespace
 
 
@@ -312,7 +277,7 @@ namespace Crevasse
               K[v] += (K[i] - K[j]) * (end.s - vertices[i].s) /
                       (vertices[i].s - vertices[j].s);
           }
-    std::vector<double> values = values_of_means(K, vertices);
+    std::vector<double> values = region.values_of_means(K);
     for (std::size_t v = 0; v < K.size(); ++v)
       if (fields.mode == CrackMode::tearing && vertices[v].is_end())
         values[v] = K[v];

@@ -46,10 +46,10 @@ namespace Crevasse
 
 
   FrontRegion::FrontRegion(const Space<3> &space, const std::string &wanted_by)
-    : curve(space.mesh(), space.roles, wanted_by)
+    : SquareRegion(space.communicator(), space.mesh().n_active_cells())
+    , curve(space.mesh(), space.roles, wanted_by)
     , wanted_by(wanted_by)
     , distances(space.mesh().n_active_cells())
-    , at_front(space.mesh().n_active_cells())
   {
     find_vertices(space);
     double end = std::numeric_limits<double>::max();
@@ -63,14 +63,15 @@ namespace Crevasse
                 end = std::min(end, size_in_tube(frame));
           }
     constexpr double part = 0.5;
-    largest_radius        = std::min(part * curve.reach(),
-                              Utilities::MPI::min(end, space.communicator()));
+    largest_radius =
+      std::min(part * curve.reach(), Utilities::MPI::min(end, communicator));
+    measure_cells(space);
     if (largest_radius < cell_radius * (1. - 1e-8))
       throw SceneError(
         wanted_by + ": the cells at the crack front reach " +
         Text::from_number(cell_radius) +
         " from it, but another boundary, or the curvature of the front, limits "
-        "K to " +
+        "the tube to " +
         Text::from_number(largest_radius) +
         ". Make these cells smaller ([Geometry] Subdivisions or the mesh "
         "file, or [Refinement] Strategy = tip).");
@@ -102,7 +103,7 @@ namespace Crevasse
               continue;
             const FrontFrame frame = curve.frame(point);
             worst                  = std::max(worst, frame.distance() / length);
-            at_front[index]        = true;
+            cells[index].first     = 0.;
             const auto faces       = GeometryInfo<3>::vertex_to_face[v];
             const bool is_symmetric =
               std::any_of(std::begin(faces),
@@ -115,18 +116,19 @@ namespace Crevasse
               {point, frame.chain, frame.s, 0., 0., is_symmetric});
           }
         for (const unsigned int v : cell->vertex_indices())
-          if (at_front[index])
-            cell_radius =
-              std::max(cell_radius, size_in_tube(curve.frame(cell->vertex(v))));
+          if (is_at_front(cell))
+            cells[index].second =
+              std::max(cells[index].second,
+                       size_in_tube(curve.frame(cell->vertex(v))));
+        cell_radius = std::max(cell_radius, cells[index].second);
       }
-    const MPI_Comm communicator = space.communicator();
     cell_radius           = Utilities::MPI::max(cell_radius, communicator);
     constexpr double much = 0.1;
     if (Utilities::MPI::max(worst, communicator) > much)
       throw SceneError(
         wanted_by +
         ": the crack front is a polygon whose corners the refined mesh "
-        "resolves, and K_I is not smooth there. Use a finer mesh file and "
+        "resolves, where K and C(t) are not smooth. Use a finer mesh file and "
         "fewer [Refinement] Cycles or [Geometry] Refinements.");
     found = of_all_ranks(communicator, found);
     number_vertices(found);
@@ -140,17 +142,17 @@ namespace Crevasse
     const auto length = [this](const Vertex &vertex) {
       return curve.chains()[vertex.chain].length();
     };
-    constexpr double rounding = 1e-9;
+    constexpr double negligible = 1e-9;
     for (Vertex &vertex : found)
       if (curve.chains()[vertex.chain].is_closed &&
-          vertex.s > (1. - rounding) * length(vertex))
+          vertex.s > (1. - negligible) * length(vertex))
         vertex.s = 0.;
     std::sort(found.begin(), found.end(), [](const auto &a, const auto &b) {
       return std::make_pair(a.chain, a.s) < std::make_pair(b.chain, b.s);
     });
     for (const Vertex &vertex : found)
       if (vertices.empty() || vertices.back().chain != vertex.chain ||
-          vertex.s - vertices.back().s > rounding * length(vertex))
+          vertex.s - vertices.back().s > negligible * length(vertex))
         vertices.push_back(vertex);
     for (unsigned int begin = 0, end = 0; begin < vertices.size(); begin = end)
       {
@@ -160,17 +162,49 @@ namespace Crevasse
         for (unsigned int v = begin + 1; v < end; ++v)
           vertices[v].before = vertices[v - 1].after =
             vertices[v].s - vertices[v - 1].s;
-        if (curve.two_lips && end - begin < 3)
-          throw SceneError(
-            wanted_by + ": the crack front at " +
-            Text::from_point(vertices[begin].point) +
-            " has one element, but K_III needs two. Use a finer mesh.");
         if (curve.chains()[vertices[begin].chain].is_closed)
           vertices[begin].before = vertices[end - 1].after =
             length(vertices[begin]) - vertices[end - 1].s;
       }
     for (const Vertex &vertex : vertices)
       largest_edge = std::max(largest_edge, vertex.after);
+  }
+
+
+
+  void
+  FrontRegion::measure_cells(const Space<3> &space)
+  {
+    for (const auto &cell : owned_cells(space.mesh()))
+      if (is_near(cell, largest_radius) && !is_at_front(cell))
+        for (const unsigned int v : cell->vertex_indices())
+          {
+            Interval    &reach = cells[cell->active_cell_index()];
+            const double size  = size_in_tube(curve.frame(cell->vertex(v)));
+            reach = {std::min(reach.first, size), std::max(reach.second, size)};
+          }
+  }
+
+
+
+  double
+  FrontRegion::tube(const double wish) const
+  {
+    // In a much larger tube, steep hats would weight the stress far away.
+    constexpr double several = 3., tolerance = 1e-8;
+    if (wish == 0.)
+      return std::min(largest_radius,
+                      std::max(several * cell_radius, largest_edge));
+    if (wish > largest_radius * (1. + tolerance) ||
+        wish < cell_radius * (1. - tolerance))
+      throw SceneError(
+        "[Crack tip] Radius = " + Text::from_number(wish) +
+        ": must be at most " + Text::from_number(largest_radius) +
+        ", where another boundary begins, or half the radius of curvature of "
+        "the front, and at least " +
+        Text::from_number(cell_radius) +
+        ", where the cells at the front end; or 0.");
+    return wish;
   }
 
 
@@ -199,6 +233,39 @@ namespace Crevasse
     const double length = vertices[i].after;
     const double part = std::clamp((frame.s - vertices[i].s) / length, 0., 1.);
     return {{{i, 1. - part, -1. / length}, {next, part, 1. / length}}};
+  }
+
+
+
+  std::vector<double>
+  FrontRegion::values_of_means(const std::vector<double> &means) const
+  {
+    // A mean exceeds the value by h²/12 of the second derivative. Ends on
+    // planes of symmetry are like others; at other ends the function is taken
+    // as linear.
+    std::vector<double>                              values = means;
+    std::vector<std::pair<std::size_t, std::size_t>> ends; // and neighbours
+    for (std::size_t v = 0, first = 0; v < means.size(); ++v)
+      {
+        if (vertices[v].chain != vertices[first].chain)
+          first = v;
+        if (vertices[v].after == 0.)
+          continue; // end of an open front
+        const bool is_last =
+          v + 1 == means.size() || vertices[v + 1].chain != vertices[v].chain;
+        const std::size_t next = is_last ? first : v + 1;
+        const double      change =
+          vertices[v].after / 12. * (means[next] - means[v]);
+        values[v] -= change / vertices[v].integral();
+        values[next] += change / vertices[next].integral();
+        if (vertices[v].is_end() != vertices[next].is_end())
+          ends.push_back(vertices[v].is_end() ? std::make_pair(v, next)
+                                              : std::make_pair(next, v));
+      }
+    for (const auto &[end, neighbour] : ends)
+      if (!vertices[end].on_symmetry)
+        values[end] = 1.5 * means[end] - 0.5 * values[neighbour];
+    return values;
   }
 
 

@@ -40,26 +40,6 @@ namespace Crevasse
 
 
 
-    /** Frame of a circular front about the axis of revolution. */
-    FrontFrame
-    frame_at(const CrackTip &tip, const Point<2> &local)
-    {
-      FrontFrame frame;
-      frame.X = local[0];
-      frame.Y = local[1];
-      for (const unsigned int d : {0, 1})
-        {
-          frame.ahead[d]  = tip.ahead[d];
-          frame.inward[d] = tip.inward[d];
-        }
-      frame.tangent          = cross_product_3d(frame.ahead, frame.inward);
-      frame.curvature        = tip.ahead[0] / tip.position[0];
-      frame.normal_curvature = tip.inward[0] / tip.position[0];
-      return frame;
-    }
-
-
-
     /** Weights of the squares whose τ multiplies viscous strain, each with its
      * factor. */
     std::vector<std::pair<SquareWeight, double>>
@@ -131,7 +111,7 @@ namespace Crevasse
       }
     const double      nu = (3. - kappa_of_ring) / 4.;
     const FrontFields fields{mode, region.tip.two_lips, {1., nu}, weight};
-    const FrontField  of_front = fields.at(frame_at(region.tip, local)).first;
+    const FrontField  of_front = fields.at(region.frame(local)).first;
     const double      share    = 1. / region.tip.position[0];
     const double      of_kappa = (kappa_of_ring + 1.) / 4. * share;
     for (unsigned int c = 0; c < QuadratureField<2>::n_components; ++c)

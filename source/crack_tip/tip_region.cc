@@ -15,8 +15,6 @@ namespace Crevasse
 
   namespace
   {
-    constexpr double rounding = 1e-10;
-
     double
     square_norm(const Point<2> &local)
     {
@@ -68,10 +66,11 @@ namespace Crevasse
   TipRegion::TipRegion(const Space<2> &space,
                        const CrackTip &tip,
                        const bool      bends)
-    : tip(tip)
+    : SquareRegion(space.communicator(), space.mesh().n_active_cells())
+    , tip(tip)
     , path(space, tip)
     , bends(bends)
-    , communicator(space.communicator())
+    , has_axis(space.roles.has_axis)
   {
     measure_cells(space);
     find_boundaries(space);
@@ -87,6 +86,28 @@ namespace Crevasse
            ? "."
            : "; a curved lip needs [Material] Viscosity = none, and no "
              "[Boundary] Friction coefficient."));
+  }
+
+
+
+  FrontFrame
+  TipRegion::frame(const Point<2> &local) const
+  {
+    FrontFrame frame;
+    frame.X = local[0];
+    frame.Y = local[1];
+    for (const unsigned int d : {0, 1})
+      {
+        frame.ahead[d]  = tip.ahead[d];
+        frame.inward[d] = tip.inward[d];
+      }
+    frame.tangent = cross_product_3d(frame.ahead, frame.inward);
+    if (has_axis)
+      {
+        frame.curvature        = tip.ahead[0] / tip.position[0];
+        frame.normal_curvature = tip.inward[0] / tip.position[0];
+      }
+    return frame;
   }
 
 
@@ -154,8 +175,6 @@ namespace Crevasse
   void
   TipRegion::measure_cells(const Space<2> &space)
   {
-    cells.assign(space.mesh().n_active_cells(),
-                 {std::numeric_limits<double>::max(), 0.});
     const double tiny = rounding * RigidParts<2>(space.mesh()).size();
     for (const auto &cell : space.mesh().active_cell_iterators())
       if (!cell->is_artificial())
@@ -202,55 +221,5 @@ namespace Crevasse
           tip.two_lips && distance > 0.)
         end = std::min(end, distance);
     end = Utilities::MPI::min(end, communicator);
-  }
-
-
-
-  bool
-  TipRegion::overlaps(const unsigned int cell, const double size) const
-  {
-    return reach(cell).first < size * (1. - rounding);
-  }
-
-
-
-  SquareWeight
-  TipRegion::weight(const double size) const
-  {
-    const bool on_rank =
-      std::any_of(cells.begin(), cells.end(), [size](const Interval &cell) {
-        return cell.first < size * (1. - rounding) &&
-               size * (1. + rounding) < cell.second;
-      });
-    return {size, Utilities::MPI::max(on_rank ? 3 : 2, communicator)};
-  }
-
-
-
-  double
-  TipRegion::aligned_radius(const double at_most) const
-  {
-    std::vector<Interval> near;
-    for (const Interval &cell : cells)
-      if (cell.first < at_most && cell.second > 0.5 * at_most)
-        near.push_back(cell);
-    std::vector<Interval> all = of_all_ranks(communicator, near);
-    std::sort(all.begin(), all.end(), [](const Interval &a, const Interval &b) {
-      return a.second > b.second;
-    });
-
-    // A square cuts a cell with points inside and outside. The remaining radius
-    // cuts none of the cells before, which are larger.
-    double radius = at_most;
-    for (const Interval &cell : all)
-      {
-        if (cell.second <= radius * (1. + rounding))
-          break;
-        radius = std::min(radius, cell.first);
-      }
-    return radius >= std::max(0.5 * at_most * (1. - rounding),
-                              cell_radius * (1. - rounding))
-             ? radius
-             : at_most;
   }
 } // namespace Crevasse

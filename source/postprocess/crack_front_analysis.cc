@@ -26,10 +26,18 @@ namespace Crevasse
                                          const StepList &steps)
     : body(body)
     , region(body.space, setting)
-    , radius(choose_radius(scene.crack_tip.radius))
+    , radius(region.tube(scene.crack_tip.radius))
     , elasticity(find_elasticity())
   {
-    require_no_force_at_front(scene, steps);
+    require_no_force_at_front(scene, body, region, steps, setting);
+    const auto &vertices = region.vertices;
+    for (std::size_t v = 0; v < vertices.size(); ++v)
+      if (region.curve.two_lips && vertices[v].before == 0. &&
+          vertices[v + 1].after == 0.)
+        throw SceneError(setting + ": the crack front at " +
+                         Text::from_point(vertices[v].point) +
+                         " has one element, but K_III needs two. Use a finer "
+                         "mesh.");
     const bool two_lips = region.curve.two_lips;
     for (const CrackMode mode :
          {CrackMode::opening, CrackMode::sliding, CrackMode::tearing})
@@ -48,29 +56,6 @@ namespace Crevasse
                                                  std::min(region.cell_radius,
                                                           0.7 * radius))));
         }
-  }
-
-
-
-  double
-  CrackFrontAnalysis::choose_radius(const double wish) const
-  {
-    // In a much larger tube, steep hats would weight the stress far away.
-    constexpr double several = 3.;
-    if (wish == 0.)
-      return std::min(region.largest_radius,
-                      std::max(several * region.cell_radius,
-                               region.largest_edge));
-    if (wish > region.largest_radius * (1. + rounding) ||
-        wish < region.cell_radius * (1. - rounding))
-      throw SceneError(
-        "[Crack tip] Radius = " + Text::from_number(wish) +
-        ": must be at most " + Text::from_number(region.largest_radius) +
-        ", where another boundary begins, or half the radius of curvature of "
-        "the front, and at least " +
-        Text::from_number(region.cell_radius) +
-        ", where the cells at the front end; or 0.");
-    return wish;
   }
 
 
@@ -165,52 +150,6 @@ namespace Crevasse
 
 
 
-  void
-  CrackFrontAnalysis::require_no_force_at_front(const Scene    &scene,
-                                                const StepList &steps) const
-  {
-    const auto points = fixed_points<3>(scene);
-    const auto held =
-      std::find_if(points.begin(), points.end(), [this](const auto &fixed) {
-        return region.curve.frame(fixed.point).distance() <
-               0.5 * region.cell_radius;
-      });
-    if (held == points.end())
-      return;
-    const auto       modes      = rigid_modes(body.space);
-    constexpr double negligible = 1e-6;
-    for (const double t : instants_of_extreme_loads(body, steps))
-      {
-        const Vector loads = loads_at(body, t);
-        // Force along the axes, and moment in the planes 12, 13 and 23.
-        Tensor<1, 3> force, moment;
-        for (unsigned int m = 0; m < 6; ++m)
-          {
-            double work = 0.;
-            for (std::size_t i = 0; i < loads.locally_owned_size(); ++i)
-              work += modes[m].local_element(i) * loads.local_element(i);
-            (m < 3 ? force[m] : moment[5 - m]) =
-              (m == 4 ? -1. : 1.) *
-              Utilities::MPI::sum(work, body.space.communicator());
-          }
-        if (!region.curve.two_lips)
-          { // others: plane of symmetry
-            const Tensor<1, 3> n = region.curve.chains().front().inward;
-            force -= (force * n) * n;
-            moment = (moment * n) * n;
-          }
-        if (std::max(force.norm(), moment.norm()) >
-            negligible * loads.l1_norm())
-          throw SceneError(setting + ": at t = " + Text::from_number(t) +
-                           " the support at " + Text::from_point(held->point) +
-                           " on the crack front has to bear loads: its stress "
-                           "has a singularity of its own there. Hold the body "
-                           "elsewhere ([Boundary] Clamped or Fixed points).");
-      }
-  }
-
-
-
   std::vector<bool>
   CrackFrontAnalysis::stay_closed(const State &state) const
   {
@@ -274,5 +213,54 @@ namespace Crevasse
           }
       }
     return all;
+  }
+
+
+
+  void
+  require_no_force_at_front(const Scene       &scene,
+                            const Body<3>     &body,
+                            const FrontRegion &region,
+                            const StepList    &steps,
+                            const std::string &wanted_by)
+  {
+    const auto points = fixed_points<3>(scene);
+    const auto held =
+      std::find_if(points.begin(), points.end(), [&](const auto &fixed) {
+        return region.curve.frame(fixed.point).distance() <
+               0.5 * region.cell_radius;
+      });
+    if (held == points.end())
+      return;
+    const auto       modes      = rigid_modes(body.space);
+    constexpr double negligible = 1e-6;
+    for (const double t : instants_of_extreme_loads(body, steps))
+      {
+        const Vector loads = loads_at(body, t);
+        // Force along the axes, and moment in the planes 12, 13 and 23.
+        Tensor<1, 3> force, moment;
+        for (unsigned int m = 0; m < 6; ++m)
+          {
+            double work = 0.;
+            for (std::size_t i = 0; i < loads.locally_owned_size(); ++i)
+              work += modes[m].local_element(i) * loads.local_element(i);
+            (m < 3 ? force[m] : moment[5 - m]) =
+              (m == 4 ? -1. : 1.) *
+              Utilities::MPI::sum(work, body.space.communicator());
+          }
+        if (!region.curve.two_lips)
+          { // others: plane of symmetry
+            const Tensor<1, 3> n = region.curve.chains().front().inward;
+            force -= (force * n) * n;
+            moment = (moment * n) * n;
+          }
+        if (std::max(force.norm(), moment.norm()) >
+            negligible * loads.l1_norm())
+          throw SceneError(wanted_by + ": at t = " + Text::from_number(t) +
+                           " the support at " + Text::from_point(held->point) +
+                           " on the crack front has to bear loads: its stress "
+                           "has a singularity of its own there. Hold the body "
+                           "elsewhere ([Boundary] Clamped or Fixed points).");
+      }
   }
 } // namespace Crevasse

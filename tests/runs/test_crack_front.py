@@ -259,7 +259,7 @@ def test_refusals():
                             "2, 2, 9, 0, 0, 0; 0, 0, 0, 3, 0, 0; 0, 0, 0, 0, 3, 0; "
                             "0, 0, 0, 0, 0, 3"], "at the crack front is not isotropic"),
             ("coarse mesh", ["Geometry/Subdivisions=8, 1, 3"],
-             r"reach 1 from it, but another boundary, .* limits K to 0\.5"),
+             r"reach 1 from it, but another boundary, .* limits the tube to 0\.5"),
             ("creep", ["Material/Viscosity=isotropic", "Material/Viscous modulus=1e6",
                        "Material/Viscous Poisson ratio=0.45"],
              "viscosity is proportional to stiffness"),

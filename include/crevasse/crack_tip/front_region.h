@@ -5,6 +5,7 @@
 #define crevasse_crack_tip_front_region_h
 
 #include <crevasse/crack_tip/front_curve.h>
+#include <crevasse/crack_tip/square_region.h>
 #include <crevasse/discretisation/space.h>
 
 #include <array>
@@ -14,7 +15,7 @@ namespace Crevasse
   /** The vertices of a mesh on the crack front, and the tube around it, in
    * which the body has no boundary but the lips, the plane of symmetry and the
    * planes across the ends of the front. Distances are max(|X|, |Y|). */
-  class FrontRegion
+  class FrontRegion : public SquareRegion
   {
   public:
     /** Collective. @throw SceneError as FrontCurve does, or if the front of the
@@ -81,10 +82,18 @@ namespace Crevasse
     bool
     is_at_front(const Cell &cell) const
     {
-      return at_front[cell->active_cell_index()];
+      return reach(cell->active_cell_index()).first == 0.;
     }
 
-    double cell_radius  = 0.; ///< size of cells at the front
+    /** Size of the tube for [Crack tip] Radius. @throw SceneError */
+    double
+    tube(const double wish) const;
+
+    /** Values at the vertices of a function along the fronts of which the means
+     * with the hat functions as weights are given. */
+    std::vector<double>
+    values_of_means(const std::vector<double> &means) const;
+
     double largest_edge = 0.; ///< longest edge of the front
 
     /** Largest tube: to another boundary, or half the radius of curvature. */
@@ -93,12 +102,13 @@ namespace Crevasse
   private:
     const std::string   wanted_by;
     std::vector<double> distances; ///< distance of cell centres, by index
-    std::vector<bool>   at_front;  ///< cells at the front, by index
 
     void
     find_vertices(const Space<3> &space);
     void
     number_vertices(std::vector<Vertex> &found);
+    void
+    measure_cells(const Space<3> &space);
     bool
     is_own_face(const Space<3>                                &space,
                 const dealii::Triangulation<3>::face_iterator &face,

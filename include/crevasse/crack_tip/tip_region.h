@@ -5,8 +5,9 @@
 #define crevasse_crack_tip_tip_region_h
 
 #include <crevasse/base/summary.h>
-#include <crevasse/crack_tip/auxiliary_field.h>
+#include <crevasse/crack_tip/front_curve.h>
 #include <crevasse/crack_tip/lip_path.h>
+#include <crevasse/crack_tip/square_region.h>
 #include <crevasse/discretisation/point_values.h>
 #include <crevasse/discretisation/quadrature_field.h>
 
@@ -42,7 +43,7 @@ namespace Crevasse
    * |Y|): they belong to squares |X| ≤ R, 0 ≤ Y ≤ R, or |Y| ≤ R where the tip
    * has two lips.
    */
-  class TipRegion
+  class TipRegion : public SquareRegion
   {
   public:
     /** Collective.
@@ -54,6 +55,11 @@ namespace Crevasse
 
     const CrackTip tip;
     const LipPath  path;
+
+    /** Frame at (X, Y) of a front across the plane: a line, or a circle about
+     * the axis of a body of revolution. */
+    FrontFrame
+    frame(const dealii::Point<2> &local) const;
 
     /** Whether lips in the region bend. */
     bool
@@ -110,44 +116,15 @@ namespace Crevasse
     double
     square(const double wish, const double most) const;
 
-    /** Size of the cells that have the tip as a vertex. */
-    double cell_radius = 0.;
-
-    /** Size of the largest square that cuts no cell, from half of @p at_most
-     * on; @p at_most if all these squares cut cells. */
-    double
-    aligned_radius(const double at_most) const;
-
-    /** Least and largest distance of a cell from the tip. */
-    using Interval = std::pair<double, double>;
-
-    /** Interval of a cell of this rank, by its active cell index; it begins
-     * with 0 at the tip. */
-    const Interval &
-    reach(const unsigned int cell) const
-    {
-      return cells[cell];
-    }
-
-    /** Whether a cell of this rank overlaps a square by more than rounding. */
-    bool
-    overlaps(const unsigned int cell, const double size) const;
-
-    /** Weight of a square; its exponent depends on whether it cuts cells.
-     * Collective. */
-    SquareWeight
-    weight(const double size) const;
-
   private:
     void
     measure_cells(const Space<2> &space);
     void
     find_boundaries(const Space<2> &space);
 
-    const bool            bends;
-    const MPI_Comm        communicator;
-    std::vector<Interval> cells; ///< intervals by active cell index
-    double                end = 0.;
+    const bool bends;
+    const bool has_axis;
+    double     end = 0.;
   };
 } // namespace Crevasse
 

@@ -53,14 +53,10 @@ namespace Crevasse
     const FrontElasticity elasticity;
 
   private:
-    double
-    choose_radius(const double wish) const;
     FrontElasticity
     find_elasticity() const;
     void
     require_compatible_creep(const VoigtMatrix<3> &stiffness) const;
-    void
-    require_no_force_at_front(const Scene &scene, const StepList &steps) const;
 
     /** Whether K_I is 0 at each vertex, because the nearest node of the lips is
      * closed; see StressIntensity::Estimate. Collective. */
@@ -74,6 +70,15 @@ namespace Crevasse
     /** Integrals over the larger and the smaller tube, for each mode. */
     std::vector<std::pair<FrontIntegral, FrontIntegral>> integrals;
   };
+
+  /** @param wanted_by the parameter that needs the stress at the front.
+   * @throw SceneError if the loads need a support on a front. */
+  void
+  require_no_force_at_front(const Scene       &scene,
+                            const Body<3>     &body,
+                            const FrontRegion &region,
+                            const StepList    &steps,
+                            const std::string &wanted_by);
 } // namespace Crevasse
 
 #endif
