@@ -52,7 +52,7 @@ namespace Crevasse
     , distances(space.mesh().n_active_cells())
   {
     find_vertices(space);
-    double end = std::numeric_limits<double>::max();
+    end = std::numeric_limits<double>::max();
     for (const auto &cell : owned_cells(space.mesh()))
       for (const unsigned int f : cell->face_indices())
         if (const auto face = cell->face(f); face->at_boundary())
@@ -63,16 +63,16 @@ namespace Crevasse
                 end = std::min(end, size_in_tube(frame));
           }
     constexpr double part = 0.5;
-    largest_radius =
+    end =
       std::min(part * curve.reach(), Utilities::MPI::min(end, communicator));
     measure_cells(space);
-    if (largest_radius < cell_radius * (1. - 1e-8))
+    if (end < cell_radius * (1. - 1e-8))
       throw SceneError(
         wanted_by + ": the cells at the crack front reach " +
         Text::from_number(cell_radius) +
         " from it, but another boundary, or the curvature of the front, limits "
         "the tube to " +
-        Text::from_number(largest_radius) +
+        Text::from_number(end) +
         ". Make these cells smaller ([Geometry] Subdivisions or the mesh "
         "file, or [Refinement] Strategy = tip).");
   }
@@ -154,17 +154,18 @@ namespace Crevasse
       if (vertices.empty() || vertices.back().chain != vertex.chain ||
           vertex.s - vertices.back().s > negligible * length(vertex))
         vertices.push_back(vertex);
-    for (unsigned int begin = 0, end = 0; begin < vertices.size(); begin = end)
+    for (unsigned int begin = 0, next = 0; begin < vertices.size();
+         begin = next)
       {
-        while (end < vertices.size() &&
-               vertices[end].chain == vertices[begin].chain)
-          ++end;
-        for (unsigned int v = begin + 1; v < end; ++v)
+        while (next < vertices.size() &&
+               vertices[next].chain == vertices[begin].chain)
+          ++next;
+        for (unsigned int v = begin + 1; v < next; ++v)
           vertices[v].before = vertices[v - 1].after =
             vertices[v].s - vertices[v - 1].s;
         if (curve.chains()[vertices[begin].chain].is_closed)
-          vertices[begin].before = vertices[end - 1].after =
-            length(vertices[begin]) - vertices[end - 1].s;
+          vertices[begin].before = vertices[next - 1].after =
+            length(vertices[begin]) - vertices[next - 1].s;
       }
     for (const Vertex &vertex : vertices)
       largest_edge = std::max(largest_edge, vertex.after);
@@ -176,7 +177,7 @@ namespace Crevasse
   FrontRegion::measure_cells(const Space<3> &space)
   {
     for (const auto &cell : owned_cells(space.mesh()))
-      if (is_near(cell, largest_radius) && !is_at_front(cell))
+      if (is_near(cell, end) && !is_at_front(cell))
         for (const unsigned int v : cell->vertex_indices())
           {
             Interval    &reach = cells[cell->active_cell_index()];
@@ -188,20 +189,18 @@ namespace Crevasse
 
 
   double
-  FrontRegion::tube(const double wish) const
+  FrontRegion::tube(const double wish, const double most) const
   {
     // In a much larger tube, steep hats would weight the stress far away.
     constexpr double several = 3., tolerance = 1e-8;
     if (wish == 0.)
-      return std::min(largest_radius,
-                      std::max(several * cell_radius, largest_edge));
-    if (wish > largest_radius * (1. + tolerance) ||
-        wish < cell_radius * (1. - tolerance))
+      return std::min(most, std::max(several * cell_radius, largest_edge));
+    if (wish > most * (1. + tolerance) || wish < cell_radius * (1. - tolerance))
       throw SceneError(
         "[Crack tip] Radius = " + Text::from_number(wish) +
-        ": must be at most " + Text::from_number(largest_radius) +
-        ", where another boundary begins, or half the radius of curvature of "
-        "the front, and at least " +
+        ": must be at most " + Text::from_number(most) +
+        ", where another boundary (or for C(t) another material) begins, or "
+        "half the radius of curvature of the front, and at least " +
         Text::from_number(cell_radius) +
         ", where the cells at the front end; or 0.");
     return wish;
@@ -262,9 +261,9 @@ namespace Crevasse
           ends.push_back(vertices[v].is_end() ? std::make_pair(v, next)
                                               : std::make_pair(next, v));
       }
-    for (const auto &[end, neighbour] : ends)
-      if (!vertices[end].on_symmetry)
-        values[end] = 1.5 * means[end] - 0.5 * values[neighbour];
+    for (const auto &[last, neighbour] : ends)
+      if (!vertices[last].on_symmetry)
+        values[last] = 1.5 * means[last] - 0.5 * values[neighbour];
     return values;
   }
 

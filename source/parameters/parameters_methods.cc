@@ -264,8 +264,9 @@ namespace Crevasse
       creep_integral,
       "Whether to write the integral C(t) at each step to creep_integral.csv, "
       "or to creep_integral_1.csv, creep_integral_2.csv, ... for each tip of "
-      "cracks with two lips. Needs nonlinear creep without hardening, and "
-      "Dimension = 2. In steady creep C(t) is C*.");
+      "cracks with two lips; in three dimensions at the vertices of the front "
+      "to crack_front.csv. Needs nonlinear creep without hardening. In steady "
+      "creep C(t) is C*.");
     add_selection("Method", method, prm);
     prm.add_parameter(
       "Radius",

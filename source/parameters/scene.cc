@@ -105,12 +105,12 @@ namespace Crevasse
                              ", Creep integral = true and Creep growth "
                              "parameter = C(t)");
       crack_tip.demand(!scene.crack_tip.creep_integral ||
-                         (is_plane && !is_linear && !hardens &&
+                         (!is_linear && !hardens &&
                           singular_functions(scene).n == 0),
                        "Creep integral",
                        "needs nonlinear creep without hardening, such as "
-                       "[Material] Viscosity = power law, [Geometry] Dimension "
-                       "= 2, and [Discretisation] Singular functions = 0");
+                       "[Material] Viscosity = power law, and "
+                       "[Discretisation] Singular functions = 0");
       if (!scene.is_axisymmetric())
         return;
       crack_tip.demand(scene.crack_tip.method !=

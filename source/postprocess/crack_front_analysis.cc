@@ -26,7 +26,7 @@ namespace Crevasse
                                          const StepList &steps)
     : body(body)
     , region(body.space, setting)
-    , radius(region.tube(scene.crack_tip.radius))
+    , radius(region.tube(scene.crack_tip.radius, region.largest_radius()))
     , elasticity(find_elasticity())
   {
     require_no_force_at_front(scene, body, region, steps, setting);

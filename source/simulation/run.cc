@@ -109,27 +109,37 @@ namespace Crevasse
   void
   Run<dim>::find_tips()
   {
+    const std::string creep     = "[Crack tip] Creep integral = true";
+    const auto        add_creep = [&](const auto &region) {
+      creep_integrals.push_back(std::make_unique<const CreepIntegral<dim>>(
+        scene, body, region, recovery));
+    };
     if constexpr (dim == 2)
       {
         find_tips_with_intensity();
-        if (!scene.crack_tip.creep_integral)
-          return;
-        for (const CrackTip &tip :
-             Crevasse::crack_tips(body.space.mesh(),
-                                  body.space.roles,
-                                  "[Crack tip] Creep integral = true"))
+        if (scene.crack_tip.creep_integral)
+          for (const CrackTip &tip :
+               Crevasse::crack_tips(body.space.mesh(), body.space.roles, creep))
+            {
+              add_creep(TipRegion(body.space, tip));
+              require_no_force_at_tip(scene,
+                                      body,
+                                      creep_integrals.back()->region,
+                                      steps);
+            }
+      }
+    else
+      {
+        if (stress_intensity.on)
+          crack_front =
+            std::make_unique<const CrackFrontAnalysis>(scene, body, steps);
+        if (scene.crack_tip.creep_integral)
           {
-            creep_integrals.push_back(std::make_unique<const CreepIntegral>(
-              scene, body, tip, recovery));
-            require_no_force_at_tip(scene,
-                                    body,
-                                    creep_integrals.back()->region,
-                                    steps);
+            add_creep(FrontRegion(body.space, creep));
+            require_no_force_at_front(
+              scene, body, creep_integrals.back()->region, steps, creep);
           }
       }
-    else if (stress_intensity.on)
-      crack_front =
-        std::make_unique<const CrackFrontAnalysis>(scene, body, steps);
   }
 
 

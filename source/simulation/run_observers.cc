@@ -161,16 +161,19 @@ namespace Crevasse
       {
         for (unsigned int i = 0; i < run.creep_integrals.size(); ++i)
           {
-            const CreepIntegral &integral = *run.creep_integrals[i];
-            const std::string    number =
-              integral.region.tip.two_lips ? "_" + std::to_string(i + 1) : "";
-            add(std::make_unique<CreepIntegralTable>(
+            const CreepIntegral<dim> &integral = *run.creep_integrals[i];
+            std::string               name     = "crack_front.csv";
+            if constexpr (dim == 2)
+              name = "creep_integral" +
+                     (integral.region.tip.two_lips ? "_" + std::to_string(i + 1)
+                                                   : "") +
+                     ".csv";
+            add(std::make_unique<CreepIntegralTable<dim>>(
               run.scene,
               integral,
               run.steps,
               run.choice.periods_are_iterates(),
-              table("creep_integral" + number + ".csv",
-                    CreepIntegralTable::columns(integral.body)),
+              table(name, CreepIntegralTable<dim>::columns(run.body)),
               run.log));
           }
       }
@@ -349,11 +352,9 @@ namespace Crevasse
         std::make_unique<ElasticComparison<dim>>(*this,
                                                  drift->of_last_period()));
     if constexpr (dim == 2)
-      {
-        if (!crack_tips.empty())
-          outputs.add_tips(closure);
-        outputs.add_creep_integrals();
-      }
+      if (!crack_tips.empty())
+        outputs.add_tips(closure);
+    outputs.add_creep_integrals();
     if (crack_front != nullptr)
       outputs.add_front();
     if (body.effects.field_output.on)

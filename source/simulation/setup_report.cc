@@ -290,11 +290,7 @@ namespace Crevasse
     for (const Summary &tip : run.tips_without_intensity)
       log.line("  crack tip without K: " + tip["no_K"].get<std::string>());
     for (const auto &integral : run.creep_integrals)
-      log.line(
-        "  crack tip: " + Text::from_point(integral->region.tip.position) +
-        Text::format(", C(t) over squares with half sides of %g and %g",
-                     integral->radius(),
-                     0.5 * integral->radius()));
+      log.line("  " + integral->describe());
     if (run.crack_front != nullptr)
       log.line(run.crack_front->describe());
     for (const auto &probe : run.probes)

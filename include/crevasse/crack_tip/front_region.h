@@ -85,9 +85,21 @@ namespace Crevasse
       return reach(cell->active_cell_index()).first == 0.;
     }
 
-    /** Size of the tube for [Crack tip] Radius. @throw SceneError */
+    /** Size of the tube of K.
+     * @param wish [Crack tip] Radius of the scene.
+     * @param most largest size allowed.
+     * @throw SceneError if the wish is larger or in the cells at the front. */
     double
-    tube(const double wish) const;
+    tube(const double wish, const double most) const;
+
+    /** Size of the larger tube of C(t), likewise. If the scene leaves the
+     * choice, the smaller one, of half its size, is the tube of K. */
+    double
+    square(const double wish, const double most) const
+    {
+      return aligned_radius(
+        std::min(most, (wish > 0. ? 1. : 2.) * tube(wish, most)));
+    }
 
     /** Values at the vertices of a function along the fronts of which the means
      * with the hat functions as weights are given. */
@@ -95,9 +107,6 @@ namespace Crevasse
     values_of_means(const std::vector<double> &means) const;
 
     double largest_edge = 0.; ///< longest edge of the front
-
-    /** Largest tube: to another boundary, or half the radius of curvature. */
-    double largest_radius = 0.;
 
   private:
     const std::string   wanted_by;

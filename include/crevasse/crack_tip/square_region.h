@@ -19,6 +19,14 @@ namespace Crevasse
     /** Size of the cells that have the tip as a vertex, or one on the front. */
     double cell_radius = 0.;
 
+    /** Distance of the tip or front to another boundary or another tip; along a
+     * front at most half its radius of curvature. */
+    double
+    largest_radius() const
+    {
+      return end;
+    }
+
     /** Least and largest distance of a cell from the tip or front. */
     using Interval = std::pair<double, double>;
 
@@ -54,7 +62,8 @@ namespace Crevasse
     static constexpr double rounding = 1e-10;
 
     const MPI_Comm        communicator;
-    std::vector<Interval> cells; ///< by active cell index; at first far away
+    double                end = 0.; ///< largest_radius()
+    std::vector<Interval> cells;    ///< by active cell index; at first far away
   };
 } // namespace Crevasse
 

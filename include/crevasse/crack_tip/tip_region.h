@@ -84,13 +84,6 @@ namespace Crevasse
                          : tip.is_on_line(a) && tip.is_on_line(b);
     }
 
-    /** Distance of the tip to another boundary or another tip. */
-    double
-    largest_radius() const
-    {
-      return end;
-    }
-
     /** A stiffness or viscosity in the cells at the tip, and the size of the
      * square in which it is uniform, at most largest_radius(); 0 if it varies
      * in these cells. Between two materials it is uniform on either side. */
@@ -124,7 +117,6 @@ namespace Crevasse
 
     const bool bends;
     const bool has_axis;
-    double     end = 0.;
   };
 } // namespace Crevasse
 

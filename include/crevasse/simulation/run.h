@@ -121,7 +121,8 @@ namespace Crevasse
     Effects::Effect                                      stress_intensity;
     std::vector<std::unique_ptr<const CrackTipAnalysis>> crack_tips;
     std::vector<Summary> tips_without_intensity; ///< tips, and why ("no_K")
-    std::vector<std::unique_ptr<const CreepIntegral>> creep_integrals;
+    /** For each tip, or one for all fronts. */
+    std::vector<std::unique_ptr<const CreepIntegral<dim>>> creep_integrals;
     std::unique_ptr<const CrackFrontAnalysis>
                                crack_front;  ///< in space; null in a plane
     std::optional<LoadFactors> load_factors; ///< for the elastic comparison

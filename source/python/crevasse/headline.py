@@ -126,6 +126,10 @@ def tips_with_two_lips(run):
     return dict(sorted(numbers.items()))
 
 
+def has_K_along_front(run):
+    return "K_I" in run.tables.get("crack_front.csv", ())
+
+
 def along_front(run, column):
     """Instants, and at each the largest value along the fronts."""
     front = run.tables["crack_front.csv"]
@@ -147,7 +151,7 @@ def curves_of_intensity(run):
         return table["t"], (
             {name: table[name] for name in ("K_I", "K_II")} if len(tips) == 1 else
             {f"tip {k}": tip["equivalent_intensity"] for k, tip in tips.items()})
-    if "crack_front.csv" in run.tables:
+    if has_K_along_front(run):
         t, largest = along_front(run, "K_I")
         return t, {"largest K_I along the front": largest}
     return None
@@ -163,7 +167,7 @@ def loading_of_crack(run):
                                        axis=0)
     if "crack_tip.csv" in run.tables:
         return run.tables["crack_tip.csv"]["t"], run.tables["crack_tip.csv"]["K_I"]
-    if "crack_front.csv" in run.tables:
+    if has_K_along_front(run):
         has_modes = "K_II" in run.tables["crack_front.csv"]
         return along_front(run, "energy_release_rate" if has_modes else "K_I")
     return None
@@ -175,14 +179,18 @@ def chart(run):
     title, axis, log = "Stress intensity", "K (stress × √length)", False
     if found and len(found[1]) > 1 and "K_I" not in found[1]:
         title, axis = "Equivalent stress intensity", f"equivalent {axis}"
-    if "crack_front.csv" in run.tables:
+    if has_K_along_front(run):
         title = "Largest K_I along the front"
     if not found:
         names = [name for name in run.tables if name.startswith("creep_integral")]
-        if not names:
+        if names:
+            table = run.tables[names[0]]
+            found = table["t"], {"C_t": table["C_t"]}
+        elif "crack_front.csv" in run.tables:
+            t, largest = along_front(run, "C_t")
+            found = t, {"largest C(t) along the front": largest}
+        else:
             return None
-        table = run.tables[names[0]]
-        found = table["t"], {"C_t": table["C_t"]}
         title, axis, log = "Creep integral C(t)", f"C(t) ({FLOW})", True
     t, curves = found
     short = histories.last_period(t, run.period) is None and t[-1] - t[0] < 0.99 * run.period

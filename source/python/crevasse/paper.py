@@ -10,7 +10,7 @@ import io
 
 from matplotlib import pyplot
 
-from crevasse import field_figures, friction_figure, probe_figures, tip_figure
+from crevasse import field_figures, friction_figure, headline, probe_figures, tip_figure
 from crevasse.field_figures import is_scene_of_paper, shown_instant
 from crevasse.fields import Fields
 from crevasse.plotting import magnification, write_png
@@ -33,7 +33,8 @@ TITLES = {
                                    "Second invariant of the deviator at t = {t:g}"),
     "tip": 2 * ("Stress ahead of the crack tip",),
     "friction": 2 * ("Where the lips stick and slide in the last period",),
-    "front": 2 * ("Stress intensity along the crack front in the last period",)}
+    "front": 2 * ("Stress intensity along the crack front in the last period",),
+    "creep_front": 2 * ("Creep integral C(t) along the crack front",)}
 WORDS = {
     "fields": ("Figures 1, 4, 5 and 6 (mesh and fields at one instant)",
                "Pictures of mesh and stress"),
@@ -58,7 +59,8 @@ def pictures(run):
     if "friction.csv" in run.tables and run.dimension == 2:
         drawn["friction"] = encode(run, "friction", friction_figure.over_time(run))
     if "crack_front.csv" in run.tables:
-        drawn["front"] = encode(run, "front", tip_figure.along_front(run))
+        name = "front" if headline.has_K_along_front(run) else "creep_front"
+        drawn[name] = encode(run, name, tip_figure.along_front(run))
     return [drawn[name] for name in TITLES if name in drawn], missing
 
 

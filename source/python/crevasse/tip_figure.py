@@ -3,7 +3,7 @@
 
 """Figures of the stress across the crack plane ahead of each tip, over the distance
 in logarithms, with the singular stress of K_I or of C(t) there; and of K_I along a
-front in space, of two lips also K_II and K_III, over arc length and time."""
+front in space, of two lips also K_II and K_III, or of C(t), over arc length and time."""
 
 import math
 
@@ -110,10 +110,11 @@ def singular_field(state, n):
 
 def along_front(run):
     """A figure of crack_front.csv; a row of axes for each front and mode: K at the
-    instants of its extremes, and over arc length and time."""
+    instants of its extremes, and over arc length and time; C(t) at its last instant,
+    and its extremes along the front over time."""
     table = run.tables["crack_front.csv"]
     fronts = numpy.unique(table["front"])
-    rows = [(front, name) for front in fronts for name in ("K_I", "K_II", "K_III")
+    rows = [(front, name) for front in fronts for name in ("K_I", "K_II", "K_III", "C_t")
             if name in table]
     figure, all_axes = pyplot.subplots(len(rows), 2, figsize=(9, 3.2 * len(rows)),
                                        squeeze=False, layout="constrained")
@@ -122,6 +123,9 @@ def along_front(run):
         t, s = numpy.unique(table["t"][own]), numpy.unique(table["s"][own])
         K, error = (table[column][own].reshape(len(t), len(s))
                     for column in (name, name + "_error"))
+        if name == "C_t":
+            draw_creep(axes, t, s, K, error, run)
+            continue
         label = run.in_units("K$_{" + name[2:] + "}$ (stress × √length)")
         bar = run.summary.get("bars", {}).get(f"{name}_largest", {}).get("bar")
         draw_lines(axes[0], t, s, K, error if bar is None else 0. * K + bar, label)
@@ -132,6 +136,18 @@ def along_front(run):
         if len(fronts) > 1:
             axes[0].set_title(f"front {front:g}")
     return figure
+
+
+def draw_creep(axes, t, s, C, error, run):
+    label = run.in_units("C(t) (stress × length / time)")
+    draw_lines(axes[0], t[-1:], s, C[-1:], error[-1:], label)
+    axes[1].plot(t, C.max(axis=1), color=VERMILION, label="largest along the front")
+    axes[1].plot(t, C.min(axis=1), color=BLUE, label="smallest")
+    if C.min() > 0 and t[0] > 0:
+        axes[1].set(xscale="log", yscale="log")
+    axes[0].set_xlabel(run.in_units("s along the front (length)"))
+    axes[1].set(xlabel=run.in_units("t (time)"), ylabel=label)
+    axes[1].legend()
 
 
 def draw_lines(axes, t, s, K, error, label):
