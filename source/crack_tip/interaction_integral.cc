@@ -75,16 +75,18 @@ namespace Crevasse
     , is_closed(squares.is_closed)
     , loads(loads)
     , body_force(components_in_volume(loads))
-    , of_contact_forces(
-        !region.has_bends() && interface == nullptr &&
-            (mode == CrackMode::opening ||
-             (mode == CrackMode::sliding && body.friction))
-          ? lip_integral(body, region, region.weight(squares.size))
-          : std::vector<double>())
+    , of_contact_forces(!region.has_bends() && interface == nullptr &&
+                            (mode == CrackMode::opening ||
+                             (mode == CrackMode::sliding && body.friction))
+                          ? LipIntegral(body,
+                                        region,
+                                        region.weight(squares.size),
+                                        mode == CrackMode::sliding ||
+                                          !body.effects.viscosity.on)
+                          : LipIntegral())
   {
     if (kappa_of_ring > 0.)
-      for (double &factor : of_contact_forces)
-        factor /= region.tip.position[0];
+      of_contact_forces.scale(1. / region.tip.position[0]);
     if (region.has_bends() || interface != nullptr)
       integrate_over_bends(squares.size);
     integrate_over_cells(squares);
@@ -247,15 +249,16 @@ namespace Crevasse
       }
     sum *= 4. / (kappa + 1.);
     const std::vector<double> &normal = contact_forces.normal;
-    for (std::size_t i = 0; i < of_contact_forces.size(); ++i)
-      sum += of_contact_forces[i] * (mode == CrackMode::opening
-                                       ? normal[i]
-                                       : contact_forces.tangential[0][i]);
     for (std::size_t i = 0; i < of_pressure_on_bends[0].size(); ++i)
       sum += 4. / (kappa + 1.) *
              (of_pressure_on_bends[0][i] + kappa * of_pressure_on_bends[1][i]) *
              normal[i];
-    return Utilities::MPI::sum(sum, body.space.communicator());
+    return Utilities::MPI::sum(sum, body.space.communicator()) +
+           of_contact_forces.value(mode == CrackMode::opening ||
+                                       contact_forces.tangential.empty()
+                                     ? normal
+                                     : contact_forces.tangential[0],
+                                   normal);
   }
 
 

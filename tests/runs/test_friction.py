@@ -21,12 +21,13 @@ def grid(n):
     return [-x for x in positions[:0:-1]] + positions
 
 
-def scene(name, pressure, shear, settings="", turn=0., viscosity="none", n=N):
+def scene(name, pressure, shear, settings="", turn=0., viscosity="none", n=N, below=None):
     """A plate with a crack along x, all turned, whose stress without the crack is the
-    pressure across it and the shear along it, formulas of t."""
+    pressure across it and the shear along it, formulas of t; with other cells below."""
     place = cracked.turned(turn)
+    rows = [y for y in grid(below or n) if y < 0.] + [y for y in grid(n) if y >= 0.]
     cracked.write_block(
-        f"{name}.msh", (grid(n), grid(n)),
+        f"{name}.msh", (grid(n), rows),
         lambda middle, normal: normal == 1 and middle[1] == 0 and abs(middle[0]) < 1,
         place)
     c, s = math.cos(math.radians(turn)), math.sin(math.radians(turn))
@@ -104,6 +105,23 @@ def test_shielding():
     check_close(max(sliding(turned)) / max(sliding(free)), 0.375, 1e-9, "K_II, turned")
     two = run_on(2, "shield.prm", "shield_two", [friction(0.5)])
     check_close(max(sliding(two)) / reference[0], 0.375, 1e-9, "K_II on two processes")
+
+
+def test_other_cells_below():
+    """The pressure in the cells at the tips is wrong, K_II and K_I are not."""
+    tips = "subsection Refinement\n  set Strategy = tip\n  set Cycles = {}\nend"
+    for cycles in tier((3,), (1, 3, 8)):
+        free = run(scene("other", "sin(pi*t)^2", "0.8*sin(pi*t)^2", tips.format(cycles),
+                         below=N // 3), "other")
+        held = run("other.prm", "other_held", [friction(0.5)])
+        for tip in (1, 2):
+            exact = 0.375 * max(sliding(free, tip))
+            error = abs(max(sliding(held, tip)) - exact)
+            found = held.summary["crack_tips"][tip - 1]
+            print(f"{cycles}: {error / exact}, printed {found['K_II_error'] / exact}")
+            check_below(error / exact, 5e-3, f"K_II of tip {tip} with {cycles} cycles")
+            check_below(error, 2 * found["K_II_error"], "printed error of K_II")
+            check_below(-found["K_I"]["smallest"] / exact, 1e-2, "K_I of a closed tip")
 
 
 def test_coefficients_by_crack():
@@ -432,7 +450,8 @@ def test_refused():
         check(status == 2 and message in error, f"{settings}: {status}, {error}")
 
 
-for test in (test_shielding, test_coefficients_by_crack, test_negative_on_one_rank,
+for test in (test_shielding, test_other_cells_below, test_coefficients_by_crack,
+             test_negative_on_one_rank,
              test_no_friction, test_pulsating_compression, test_partial_slip,
              test_fretting, test_memory, test_stop, test_relaxation, test_jump, test_order,
              test_rigid_plane, test_refused):
