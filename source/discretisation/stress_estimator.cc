@@ -111,7 +111,13 @@ namespace Crevasse
           const double c = compliance[cell->active_cell_index()];
           const double h = cell->diameter() / std::sqrt(dim);
           double       whole =
-            of_cells * c * h * h / (degree * degree) * residual.in_volume(cell);
+            of_cells * c * h * h / (degree * degree) *
+            residual.in_volume(cell, [&](const auto &point) {
+              return cut_off_force(singular,
+                                   point,
+                                   *cell,
+                                   stiffness_at(points.first_point(cell)));
+            });
           for (const unsigned int f : cell->face_indices())
             if (cell->at_boundary(f))
               whole += of_faces / degree * c *
@@ -227,7 +233,7 @@ namespace Crevasse
   StressEstimator<dim>::singular_coefficients(const Vector *displacement) const
   {
     std::vector<double> coefficients;
-    if (displacement != nullptr && space.roles.crack.empty())
+    if (displacement != nullptr)
       for (auto k = space.singular_unknown(0); k < space.n_unknowns(); ++k)
         coefficients.push_back(dealii::Utilities::MPI::sum(
           displacement->in_local_range(k) ? (*displacement)(k) : 0.,
@@ -251,6 +257,48 @@ namespace Crevasse
           coefficients[k] *
           space.singular_shapes()->functions[k].gradient(point, cell_center);
     return stiffness * voigt_strain<dim>(gradient);
+  }
+
+
+
+  template <int dim>
+  dealii::Tensor<1, dim>
+  StressEstimator<dim>::cut_off_force(
+    const std::vector<double>            &coefficients,
+    const dealii::Point<dim>             &point,
+    const dealii::CellAccessor<dim, dim> &cell,
+    const VoigtMatrix<dim>               &stiffness) const
+  {
+    dealii::Tensor<1, dim> force;
+    if constexpr (dim == 2)
+      for (unsigned int k = 0; k < coefficients.size(); ++k)
+        {
+          const SingularFunction &function =
+            space.singular_shapes()->functions[k];
+          const double r = point.distance(function.tip.position);
+          if (r >= function.radius || std::isinf(function.radius))
+            continue;
+          SingularFunction whole(function);
+          whole.radius = std::numeric_limits<double>::infinity();
+          const double cut_off =
+            std::pow(1. - std::pow(r / function.radius, 2), 3);
+          const dealii::Point<2> center = cell.center();
+          const double           step   = 1e-4 * cell.diameter();
+          for (unsigned int j = 0; j < 2; ++j)
+            for (const double side : {step, -step})
+              {
+                dealii::Point<2> there = point;
+                there[j] += side;
+                const VoigtVector<2> stress =
+                  stiffness *
+                  voigt_strain<2>(function.gradient(there, center) -
+                                  cut_off * whole.gradient(there, center));
+                for (unsigned int i = 0; i < 2; ++i)
+                  force[i] += coefficients[k] * stress[voigt_index<2>(i, j)] /
+                              (2. * side);
+              }
+        }
+    return force;
   }
 
 

@@ -61,6 +61,13 @@ namespace Crevasse
     dealii::Vector<float>
     squares() const;
 
+    /** Squares of the largest estimates so far, by active cell index. */
+    const dealii::Vector<double> &
+    largest_squares() const
+    {
+      return largest;
+    }
+
     /** Largest energy ∫ s·K⁻¹s of all states; 0 without stress. */
     double
     largest_energy() const
@@ -90,8 +97,7 @@ namespace Crevasse
     energy(const Vector &stress, const MaterialState<dim> &material) const;
 
     /** Coefficients c_k of singular functions; empty without a displacement or
-     * singular functions, and with two lips, where they are cut off and not in
-     * equilibrium: their residual then counts as error. */
+     * singular functions. */
     std::vector<double>
     singular_coefficients(const Vector *displacement) const;
 
@@ -103,6 +109,14 @@ namespace Crevasse
                     const dealii::Point<dim>  &point,
                     const dealii::Point<dim>  &cell_center,
                     const VoigtMatrix<dim>    &stiffness) const;
+
+    /** Divergence of singular_stress() where the functions are cut off by χ: of
+     * χψ less χ times that of ψ, by differences. */
+    dealii::Tensor<1, dim>
+    cut_off_force(const std::vector<double>            &coefficients,
+                  const dealii::Point<dim>             &point,
+                  const dealii::CellAccessor<dim, dim> &cell,
+                  const VoigtMatrix<dim>               &stiffness) const;
 
     const Space<dim>           &space;
     const QuadratureField<dim> &points;

@@ -64,9 +64,13 @@ namespace Crevasse
     {
     }
 
-    /** Residual in a cell: ∫ ‖div s + φ₁‖². */
+    /** Residual in a cell: ∫ ‖div s + φ₁‖².
+     *
+     * @param added Divergence at a point of a stress in addition to the
+     * polynomials. */
+    template <typename Function>
     double
-    in_volume(const Cell &cell)
+    in_volume(const Cell &cell, const Function &added)
     {
       inside.reinit(cell);
       inside.get_function_gradients(stress, gradients);
@@ -75,7 +79,7 @@ namespace Crevasse
       double integral = 0.;
       for (const unsigned int q : inside.quadrature_point_indices())
         {
-          dealii::Tensor<1, dim> residual;
+          dealii::Tensor<1, dim> residual = added(inside.quadrature_point(q));
           for (const auto &[d, force] : volume_forces)
             residual[d] += force.value(inside.quadrature_point(q), instant);
           for (unsigned int i = 0; i < dim; ++i)
