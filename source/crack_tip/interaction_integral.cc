@@ -263,6 +263,38 @@ namespace Crevasse
 
 
 
+  Vector
+  InteractionIntegral::factor_of_stress(const MaterialState<2> &material,
+                                        const TipElasticity    &at_tip) const
+  {
+    Vector all;
+    body.points.initialize(all);
+    const double kappa  = at_tip.kappa();
+    const bool   varies = !material.stiffness->is_uniform();
+    for (const Kernel &kernel : kernels)
+      {
+        VoigtVector<2> N =
+          4. / (kappa + 1.) *
+          (kernel.field.of_stress[0] + kappa * kernel.field.of_stress[1]);
+        if (varies)
+          {
+            const VoigtVector<2> &tau = kernel.field.of_strain;
+            const PlaneCompliance law((*material.stiffness)[kernel.point],
+                                      kappa_of_ring > 0.);
+            N -= at_tip.modulus() *
+                 (law.of_stress * tau -
+                  (kappa_of_ring > 0. ? at_tip.isotropic.strain_with_hoops(tau)
+                                      : at_tip.strain(tau, is_below(kernel))));
+          }
+        QuadratureField<2>::set(all,
+                                kernel.point * QuadratureField<2>::n_components,
+                                N / points.weight[kernel.point]);
+      }
+    return all;
+  }
+
+
+
   double
   InteractionIntegral::value(const double            t,
                              const Sample           &sample,

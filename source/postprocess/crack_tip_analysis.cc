@@ -4,8 +4,6 @@
 #include <crevasse/base/problems.h>
 #include <crevasse/base/text.h>
 #include <crevasse/discretisation/rigid_modes.h>
-#include <crevasse/discretisation/stress_estimator.h>
-#include <crevasse/model/elastic_displacement.h>
 #include <crevasse/model/largest_load.h>
 #include <crevasse/postprocess/crack_tip_analysis.h>
 
@@ -79,46 +77,6 @@ namespace Crevasse
            intensity.method() + intensity.describe_interface() +
            (why.empty() ? "" : " (" + why + ")") +
            (law.empty() ? "" : "; " + law);
-  }
-
-
-
-  double
-  CrackTipAnalysis::relative_energy_error(
-    const dealii::Vector<float> &squares) const
-  {
-    // Singular functions are not in equilibrium in another material.
-    const double most = body.space.singular_shapes() != nullptr
-                          ? intensity.uniform_radius()
-                          : intensity.region.largest_radius();
-    double       sum  = 0.;
-    for (const auto &cell : owned_cells(body.space.mesh()))
-      {
-        const unsigned int i            = cell->active_cell_index();
-        const auto [begin, end_of_cell] = intensity.region.reach(i);
-        if (begin == 0. || end_of_cell < most)
-          sum += squares(i);
-      }
-    return Utilities::MPI::sum(sum, body.space.communicator());
-  }
-
-
-
-  dealii::Vector<float>
-  elastic_error_squares(const Scene           &scene,
-                        const Body<2>         &body,
-                        ContactSystemCache<2> &systems,
-                        const StepList        &steps)
-  {
-    StressEstimator<2> estimator(body.space,
-                                 body.points,
-                                 body.lip,
-                                 scene.loads);
-    look_at_elastic_states(body,
-                           systems,
-                           instants_of_extreme_loads(body, steps),
-                           estimator);
-    return estimator.squares();
   }
 
 

@@ -60,9 +60,8 @@ namespace Crevasse
     for (const double t :
          instants_of_variation(body.material.stiffness_varies, steps))
       elasticity(t);
-    if (!uses_fit)
-      for (const CrackMode mode : modes())
-        integrals.emplace_back(mode, integrate(mode, false));
+    for (const CrackMode mode : modes())
+      integrals.emplace_back(mode, integrate(mode, false));
     if (first_elasticity.interface && !tip.is_open)
       of_closed_lips.emplace(integrate(CrackMode::sliding, true));
     if (!can_fit())
@@ -230,15 +229,7 @@ namespace Crevasse
     // Viscous strain does not enter where creep is uniform.
     const double most = uniform.creep >= least * end ? uniform.creep : end;
     // Fields of known K are those of straight lips in the plane.
-    if (region.has_bends())
-      {
-        // What cells at the tip leave of fields of known K beside straight
-        // lips.
-        const double of_cells = scene.discretisation.degree == 1 ? 0.6 : 0.2;
-        const double size     = region.square(wish, wish > 0. ? end : most);
-        return {size, of_cells * region.cell_radius / size};
-      }
-    if (uses_fit)
+    if (uses_fit || region.has_bends())
       return {region.square(wish, wish > 0. || uses_fit ? end : most), 0.};
     const KnownFields fields(body, region);
     const auto        error = [&](const double size, const CrackMode mode) {
@@ -294,7 +285,7 @@ namespace Crevasse
   double
   StressIntensity::choose_fit_radius() const
   {
-    if (scene.crack_tip.radius > 0. && integrals.empty())
+    if (scene.crack_tip.radius > 0. && uses_fit)
       return scene.crack_tip.radius;
     // The smaller disc, of half this radius, must contain enough points.
     const double least =
@@ -365,7 +356,7 @@ namespace Crevasse
     const ContactForces &g      = sample.state.contact_forces;
     const WilliamsFit   &fit    = fits->within(open);
     all.of_stress               = fit.value(stress, g);
-    if (integrals.empty())
+    if (uses_fit)
       {
         all.intensity[0] = all.of_stress;
         all.error[0]     = std::abs(fit.correction(stress, g));

@@ -64,18 +64,17 @@ namespace Crevasse
 
 
 
-  TipTable::TipTable(const CrackTipAnalysis      &analysis,
-                     const dealii::Vector<float> &error_squares,
-                     const TipContext            &context,
-                     CsvTable                   &&table)
+  TipTable::TipTable(const CrackTipAnalysis  &analysis,
+                     const RelativeTipErrors &relative_errors,
+                     const TipContext        &context,
+                     CsvTable               &&table)
     : analysis(analysis)
     , context(context)
     , place(analysis.intensity.region.tip)
     , title("  crack tip" +
             (place.two_lips ? ' ' + Text::from_point(place.position) : "") +
             ": ")
-    , relative_error(std::max(analysis.relative_energy_error(error_squares),
-                              analysis.intensity.error_of_known_fields()))
+    , relative_errors(relative_errors)
     , table(std::move(table))
   {
   }
@@ -120,8 +119,7 @@ namespace Crevasse
     values.contact_zone = estimate.contact_zone;
     values.t_stress     = estimate.t_stress;
     values.t_stress_error =
-      std::max(estimate.t_stress_error,
-               analysis.intensity.t_stress_error(relative_error) * size);
+      std::max(estimate.t_stress_error, relative_errors.of_T * size);
     if (analysis.has_temperature)
       values.temperature = analysis.temperature(t);
     for (unsigned int mode = 0; mode < (place.two_lips ? 2 : 1); ++mode)
@@ -130,7 +128,8 @@ namespace Crevasse
         // A closed tip has K = 0 exactly.
         values.error[mode] =
           K[mode] == 0. ? 0.
-                        : std::max(estimate.error[mode], relative_error * size);
+                        : std::max(estimate.error[mode],
+                                   relative_errors.of_intensity[mode] * size);
         values.of_singular_functions[mode] =
           analysis.of_singular_function(CrackMode(mode),
                                         sample.state.displacement,

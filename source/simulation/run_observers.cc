@@ -131,17 +131,18 @@ namespace Crevasse
       void
       add_tips(LipClosure<2> *closure)
       {
-        const auto squares =
-          elastic_error_squares(run.scene, body, run.systems, run.steps);
+        const std::vector<RelativeTipErrors> errors = relative_tip_errors(
+          run.scene, body, run.systems, run.steps, run.crack_tips);
         unsigned int n_two_lips = 0;
-        for (const auto &tip : run.crack_tips)
+        for (unsigned int i = 0; i < run.crack_tips.size(); ++i)
           {
+            const auto       &tip    = run.crack_tips[i];
             const std::string number = tip->intensity.region.tip.two_lips
                                          ? "_" + std::to_string(++n_two_lips)
                                          : "";
             const auto        of_tip = add(std::make_unique<TipTable>(
               *tip,
-              squares,
+              errors[i],
               TipContext{run.steps,
                          run.flow,
                          tip->intensity.region.tip.is_open ? nullptr : closure,

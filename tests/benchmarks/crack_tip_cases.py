@@ -232,25 +232,36 @@ def attempt(name, case, word, settings):
         return None
 
 
-def judge(name, case):
+def own_and_true(name, case):
+    """The results of the case, and its rows beside the true ones."""
     results = measured(name, case, "own", case.own)
     own = numbers(results)
     truth = ([case.truth] * len(own) if isinstance(case.truth, dict) else
              numbers(measured(name, case, "truth", case.truth)))
-    errors = [distance(a, b) for a, b in zip(own, truth, strict=True)]
-    k = max(range(len(own)), key=errors.__getitem__)
-    K = max(map(size, own))
-    printed = size(own[k], "_error")
+    return results, list(zip(own, truth, strict=True))
+
+
+def errors(pairs):
+    """Error and printed error where the error is largest, by the largest K."""
+    K = max(size(own) for own, _ in pairs)
+    own, truth = max(pairs, key=lambda pair: distance(*pair))
+    return distance(own, truth) / K, size(own, "_error") / K
+
+
+def judge(name, case):
+    results, pairs = own_and_true(name, case)
+    error, printed = errors(pairs)
     summary = results.summary
     tip = (summary.get("crack_tip") or summary.get("crack_front")
            or summary["crack_tips"][0])
     narrow, user = (attempt(name, case, *run) for run in (
         ("narrow", [*case.own, f"Crack tip/Radius={tip['radius'] / 2!r}"]),
         ("user", [*DEFAULTS, *case.of_user])))
-    return (errors[k] / K, printed / K, printed / errors[k],
-            max(distance(a, b) / size(a, "_error") for a, b in zip(own, narrow))
+    return (error, printed, printed / error,
+            max(distance(a, b) / size(a, "_error") for (a, _), b in zip(pairs, narrow))
             if narrow else "–",
-            max(map(distance, user, truth)) / K if user else "refused")
+            max(distance(a, truth) for a, (_, truth) in zip(user, pairs))
+            / max(size(own) for own, _ in pairs) if user else "refused")
 
 
 def text(x):

@@ -107,6 +107,12 @@ namespace Crevasse
           const MaterialState<2> &material,
           const TipElasticity    &at_tip) const;
 
+    /** Factor of the stress at the points in K of an elastic body, without what
+     * lips that bend or press contribute: N − E' (S − S_tip) τ. */
+    Vector
+    factor_of_stress(const MaterialState<2> &material,
+                     const TipElasticity    &at_tip) const;
+
     /** K = ∫ s:N dA + ∫_lip … for a homogeneous body without free strain or
      * body force in the square: elastic, or viscous with the stress of a flow.
      * Collective. */

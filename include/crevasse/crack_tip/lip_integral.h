@@ -44,6 +44,13 @@ namespace Crevasse
     value(const std::vector<double> &forces,
           const std::vector<double> &normal) const;
 
+    /** Factors of the forces, with the line. */
+    const std::vector<double> &
+    factors_of_forces() const
+    {
+      return of_line;
+    }
+
     /** Multiplies the contribution. */
     void
     scale(const double factor);

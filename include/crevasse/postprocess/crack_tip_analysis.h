@@ -70,13 +70,6 @@ namespace Crevasse
                      Summary           &tip,
                      Log               &log) const;
 
-    /** Relative error of the elastic energy by the mesh, in the cells around
-     * the tip; with singular functions in those that touch no other material.
-     * Collective.
-     * @param squares elastic_error_squares() */
-    double
-    relative_energy_error(const dealii::Vector<float> &squares) const;
-
     const Scene          &scene;
     const Body<2>        &body;
     const StressIntensity intensity;
@@ -96,14 +89,6 @@ namespace Crevasse
     std::optional<TipRegion::Uniform> viscous_region; ///< null without C*
     const bool                        mean_load_vanishes;
   };
-
-  /** Squared relative error of the energy norm of each cell, for the elastic
-   * body at the extreme loads. Collective. */
-  dealii::Vector<float>
-  elastic_error_squares(const Scene           &scene,
-                        const Body<2>         &body,
-                        ContactSystemCache<2> &systems,
-                        const StepList        &steps);
 
   /** @throw SceneError if the loads need a point support at the tip. */
   void

@@ -62,6 +62,20 @@ namespace Crevasse
              const MaterialState<2> &material,
              const TipElasticity    &at_tip) const;
 
+    /** InteractionIntegral::factor_of_stress() of one of the modes(), also
+     * where K_I is that of the fit. */
+    Vector
+    factor_of_stress(const CrackMode         mode,
+                     const MaterialState<2> &material,
+                     const TipElasticity    &at_tip) const
+    {
+      const auto of_mode =
+        std::find_if(integrals.begin(),
+                     integrals.end(),
+                     [mode](const auto &one) { return one.first == mode; });
+      return of_mode->second.first.factor_of_stress(material, at_tip);
+    }
+
     /** The modes that are computed. */
     std::vector<CrackMode>
     modes() const
@@ -87,9 +101,8 @@ namespace Crevasse
     std::string
     method() const
     {
-      return name_of(!integrals.empty()
-                       ? StressIntensityMethod::interaction_integral
-                       : StressIntensityMethod::williams_fit);
+      return name_of(uses_fit ? StressIntensityMethod::williams_fit
+                              : StressIntensityMethod::interaction_integral);
     }
 
     /** Elasticity of the law at the tip at an instant within the period,
@@ -118,21 +131,18 @@ namespace Crevasse
       return square.error;
     }
 
-    /** Error of T that the mesh leaves for fields of a unit K, or what a
-     * relative error of K makes of it. */
+    /** Error of T that the mesh leaves for fields of a unit K. */
     double
-    t_stress_error(const double of_intensity) const
+    t_stress_error_of_known_fields() const
     {
-      return std::max(square.error_of_T,
-                      of_intensity / std::sqrt(dealii::numbers::PI *
-                                               region.largest_radius()));
+      return square.error_of_T;
     }
 
     /** Size of the square, or of the largest disc of the fit. */
     double
     radius() const
     {
-      return integrals.empty() ? fit_radius : square.size;
+      return uses_fit ? fit_radius : square.size;
     }
 
     /** Whether the lips between two materials are closed so far from the tip

@@ -11,6 +11,7 @@
 #include <crevasse/postprocess/crack_tip_analysis.h>
 #include <crevasse/postprocess/lip_closure.h>
 #include <crevasse/postprocess/mission_table.h>
+#include <crevasse/postprocess/tip_errors.h>
 #include <crevasse/time/period_observer.h>
 
 namespace Crevasse
@@ -50,23 +51,21 @@ namespace Crevasse
    *
    * K_I_singular and K_II_singular are the coefficients of the singular
    * functions of an elastic body. The errors are those of
-   * StressIntensity::Estimate or, if larger, √(K_I² + K_II²) times the relative
-   * error of the elastic energy that StressEstimator finds in the cells around
-   * the tip; that of K_I up to four times this if integral and fit differ by
-   * more. T has the error that StressIntensity makes of this. They are not
-   * bounds.
+   * StressIntensity::Estimate or, if larger, √(K_I² + K_II²) times the
+   * RelativeTipErrors; that of K_I up to four times this if integral and fit
+   * differ by more. They are not bounds.
    */
   class TipTable : public PeriodObserver
   {
   public:
     /** References must outlive the TipTable. Collective.
      *
-     * @param error_squares CrackTipAnalysis's elastic_error_squares()
+     * @param relative_errors of the tip.
      * @param table with the columns(). */
-    TipTable(const CrackTipAnalysis      &analysis,
-             const dealii::Vector<float> &error_squares,
-             const TipContext            &context,
-             CsvTable                   &&table);
+    TipTable(const CrackTipAnalysis  &analysis,
+             const RelativeTipErrors &relative_errors,
+             const TipContext        &context,
+             CsvTable               &&table);
 
     static std::vector<std::string>
     columns(const CrackTipAnalysis &analysis);
@@ -243,8 +242,8 @@ namespace Crevasse
     const CrackTipAnalysis &analysis;
     const TipContext        context;
     const CrackTip         &place;
-    const std::string       title;          ///< beginning of lines in the log
-    const double            relative_error; ///< error of elastic energy
+    const std::string       title; ///< beginning of lines in the log
+    const RelativeTipErrors relative_errors;
     CsvTable                table;
     std::vector<TipValues>  of_last_period;
   };

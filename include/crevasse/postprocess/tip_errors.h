@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Crevasse authors
+
+#ifndef crevasse_postprocess_tip_errors_h
+#define crevasse_postprocess_tip_errors_h
+
+#include <crevasse/postprocess/crack_tip_analysis.h>
+
+namespace Crevasse
+{
+  /** Errors at a tip by the mesh, relative to √(K_I² + K_II²). */
+  struct RelativeTipErrors
+  {
+    std::array<double, 2> of_intensity{}; ///< of K_I and K_II
+    double                of_T = 0.;      ///< in 1/√length
+  };
+
+  /**
+   * Estimates the errors of K_I, K_II and T at each tip, for the elastic body
+   * at the extreme loads; at least those of fields of known K. Collective.
+   *
+   * K is a linear function of the stress, ∫ s:N. Its dual state is that of the
+   * body under the strain N without stress and no load, where lips stay as they
+   * are: the error of K is the product of the errors of both stresses, in the
+   * norm of their elastic energy (Becker and Rannacher, Acta Numerica 10,
+   * 2001). Each cell counts with the product of what StressEstimator finds of
+   * both.
+   */
+  std::vector<RelativeTipErrors>
+  relative_tip_errors(
+    const Scene                                                &scene,
+    const Body<2>                                              &body,
+    ContactSystemCache<2>                                      &systems,
+    const StepList                                             &steps,
+    const std::vector<std::unique_ptr<const CrackTipAnalysis>> &tips);
+} // namespace Crevasse
+
+#endif
