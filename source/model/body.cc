@@ -220,10 +220,17 @@ namespace Crevasse
           "[Refinement] Strategy = none.");
       return mesh;
     };
-    return scene.refinement.strategy == RefinementStrategy::tip
+    RefinementParameters refinement = scene.refinement;
+    if (const unsigned int cycles = automatic_cycles(scene))
+      {
+        refinement.strategy        = RefinementStrategy::tip;
+        refinement.cycles          = cycles;
+        refinement.target_unknowns = 0;
+      }
+    return refinement.strategy == RefinementStrategy::tip
              ? graded_mesh<dim>(unrefined,
                                 boundary_roles(scene),
-                                scene.refinement,
+                                refinement,
                                 scene.discretisation.degree)
              : unrefined();
   }

@@ -11,21 +11,32 @@ namespace Crevasse
 {
   namespace
   {
-    /** Why "automatic" does not use two singular functions, though they are
-     * allowed; empty if it does. */
+    /** Why a scene has no tip of a built-in crack; empty if it has. */
     std::string
-    reason_against_singular_functions(const Scene &scene)
+    reason_against_tip(const Scene &scene, const BoundaryRoles &roles)
     {
       if (!traits(scene.geometry.shape).has_crack)
         return "there is no built-in crack";
-      const BoundaryRoles roles =
-        resolve_roles(scene.boundary, built_in_roles(scene.geometry));
       if (roles.contact.count(BoundaryIds::lip) +
               roles.open.count(BoundaryIds::lip) ==
             0 ||
           roles.symmetry.count(BoundaryIds::ligament) == 0)
         return "[Boundary] Contact or Symmetry differs from the default of the "
                "shape";
+      return "";
+    }
+
+
+
+    /** Why "automatic" does not use two singular functions, though they are
+     * allowed; empty if it does. */
+    std::string
+    reason_against_singular_functions(const Scene &scene)
+    {
+      const std::string no_tip = reason_against_tip(
+        scene, resolve_roles(scene.boundary, built_in_roles(scene.geometry)));
+      if (!no_tip.empty())
+        return no_tip;
       if (scene.material.creep_law() != nullptr)
         return "nonlinear creep changes the singularity";
       if (scene.refinement.readapt_every > 0)
@@ -118,6 +129,29 @@ namespace Crevasse
     if (against.empty())
       return {2, "automatic: two at the tip of a built-in crack in the plane"};
     return {0, "automatic: " + against};
+  }
+
+
+
+  unsigned int
+  automatic_cycles(const Scene &scene)
+  {
+    const bool is_chosen =
+      !scene.geometry.subdivisions->empty() || scene.geometry.refinements > 0 ||
+      scene.refinement.strategy != RefinementStrategy::none ||
+      scene.discretisation.singular_functions !=
+        SingularFunctionNumber::automatic;
+    if (is_chosen || scene.dimension == 3 ||
+        !scene.geometry.crack_growth->empty())
+      return 0;
+    const BoundaryRoles roles =
+      resolve_roles(scene.boundary, built_in_roles(scene.geometry));
+    constexpr unsigned int enough = 6; // leaves some 0.1 % of K
+    return reason_against_tip(scene, roles).empty() &&
+               stress_intensity_effect(scene, roles).on &&
+               singular_functions(scene).n == 0
+             ? enough
+             : 0;
   }
 
 

@@ -40,6 +40,8 @@ namespace Crevasse
     {
       scene.geometry.refinements = 0;
       scene.refinement.strategy  = RefinementStrategy::none;
+      // The automatic mesh depends on them.
+      scene.discretisation.singular_functions = SingularFunctionNumber::none;
       return make_scene_mesh<dim>(scene, communicator);
     }
 

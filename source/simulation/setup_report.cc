@@ -251,13 +251,18 @@ namespace Crevasse
              << " unknowns, " << sizes["quadrature_points"]
              << " quadrature points, " << sizes["contact_nodes"]
              << " contact nodes");
-    if (scene.refinement.strategy != RefinementStrategy::none)
+    const bool is_automatic = automatic_cycles(scene) > 0;
+    if (is_automatic || scene.refinement.strategy != RefinementStrategy::none)
       log.line(
-        Text::format("  refinement: %s, %u levels, cells from %.3g to %.3g",
-                     traits(scene.refinement.strategy).name,
+        Text::format("  refinement: %s, %u levels, cells from %.3g to %.3g%s",
+                     name_of(is_automatic ? RefinementStrategy::tip
+                                          : scene.refinement.strategy)
+                       .c_str(),
                      sizes["levels"].get<unsigned int>(),
                      sizes["smallest_cell"].get<double>(),
-                     sizes["largest_cell"].get<double>()));
+                     sizes["largest_cell"].get<double>(),
+                     is_automatic ? " (automatic: K without singular functions)"
+                                  : ""));
     report_memory(run);
     log.line("  boundaries: " + describe_boundaries<dim>(scene));
     for (const RigidMotion &motion : run.body.held_by_contact)

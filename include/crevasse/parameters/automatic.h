@@ -41,6 +41,12 @@ namespace Crevasse
   SingularFunctionObstacle
   obstacle_to_singular_functions(const Scene &scene);
 
+  /** How often the cells at the tip of a built-in crack in the plane are
+   * divided where K is computed without singular functions and the scene leaves
+   * the mesh and the functions to the program; otherwise 0. */
+  unsigned int
+  automatic_cycles(const Scene &scene);
+
   /** Automatic [Output] Probes: one at the mouth of a built-in crack. */
   std::vector<NamedPoint>
   probes(const Scene &scene);
