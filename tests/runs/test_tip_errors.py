@@ -1,0 +1,80 @@
+"""Printed errors of K and T at crack tips against true ones, and K of a user who chooses
+no radius, no method and no mesh: the cases of doc/crack_tip.md."""
+
+import sys
+
+from crevasse_run import SOURCE, check, check_below, check_close, full
+
+sys.path.append(str(SOURCE / "tests/benchmarks"))
+import crack_tip_cases as cases  # noqa: E402: where it is, is known now
+
+CASES = dict(cases.all_cases())
+# K on meshes of 40 000 or 60 000 unknowns, adapted.
+CONVERGED = {"square, graded modulus": 39.05878, "square, two materials": 31.61424,
+             "square, half closed by bending": 1.1362953,
+             "anisotropic edge crack, along": 34.50731,
+             "anisotropic edge crack, across": 37.49769}
+
+
+def with_truth(name):
+    case = CASES[name]
+    return cases.dataclasses.replace(case, truth={"K_I": CONVERGED[name]})
+
+
+def test_half_closed():
+    """The error of the lips' pressure counts, and does not cancel that of the tip."""
+    name = "square, half closed by bending"
+    error, printed = cases.errors(cases.own_and_true(name, with_truth(name))[1])
+    print(f"{name}: error {error:.2g}, printed {printed:.2g}")
+    check(0.25 <= printed / error <= 10, "printed error of a crack half closed")
+
+
+def users(names):
+    for name in names:
+        case = with_truth(name)
+        results = cases.measured(name, case, "user", [*cases.DEFAULTS, *case.of_user])
+        check_close(cases.numbers(results)[0]["K_I"] / CONVERGED[name], 1, 1e-2,
+                    f"{name}, user")
+        levels = results.summary["levels"]
+        check(levels == 7, f"{name}: {levels} levels")
+
+
+def test_user():
+    users(["square, graded modulus"])
+
+
+@full
+def test_more_users():
+    users(["square, two materials", "anisotropic edge crack, along",
+           "anisotropic edge crack, across"])
+
+
+@full
+def test_printed_errors():
+    """At least half of the true error and at most ten times as large in nine of ten
+    cases, and never less than a quarter."""
+    ratios = {"K": {}, "T": {}}
+    for name, case in CASES.items():
+        if name.startswith(("edge", "centre", "SSLP", "penny")):
+            continue
+        _, pairs = cases.own_and_true(name, case)
+        error, printed = cases.errors(pairs)
+        if error > cases.FINEST:
+            ratios["K"][name] = printed / error
+        for own, truth in pairs[:1]:
+            if "T_stress" in own and "T_stress" in truth:
+                ratios["T"][name] = (own["T_stress_error"]
+                                     / abs(own["T_stress"] - truth["T_stress"]))
+    for what, all_of_it in ratios.items():
+        for name, ratio in all_of_it.items():
+            print(f"{what}, {name}: {ratio:.2g}")
+    K = ratios["K"].values()
+    check_below(0.25, min(K), "least printed by true error of K")
+    check_below(0.9 * len(K), sum(0.5 <= ratio <= 10 for ratio in K) + 1e-9,
+                "cases with a printed error of K from 1/2 to 10 times the true one")
+
+
+test_half_closed()
+test_user()
+test_more_users()
+test_printed_errors()
