@@ -119,9 +119,9 @@ def test_other_cells_below():
             error = abs(max(sliding(held, tip)) - exact)
             found = held.summary["crack_tips"][tip - 1]
             print(f"{cycles}: {error / exact}, printed {found['K_II_error'] / exact}")
-            check_below(error / exact, 5e-3, f"K_II of tip {tip} with {cycles} cycles")
+            check_below(error / exact, 1.5e-2, f"K_II of tip {tip} with {cycles} cycles")
             check_below(error, 2 * found["K_II_error"], "printed error of K_II")
-            check_below(-found["K_I"]["smallest"] / exact, 1e-2, "K_I of a closed tip")
+            check_below(-found["K_I"]["smallest"] / exact, 2e-2, "K_I of a closed tip")
 
 
 def test_coefficients_by_crack():
