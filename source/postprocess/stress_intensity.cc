@@ -342,7 +342,7 @@ namespace Crevasse
     const bool is_closed =
       open == 0. && !region.tip.is_open && !body.effects.viscosity.on;
     for (const auto &[mode, squares] : integrals)
-      if (mode != CrackMode::opening || !is_closed)
+      if (!uses_fit && (mode != CrackMode::opening || !is_closed))
         integrate(mode, squares, lips);
     if (const double wrong = 0.5 * region.path.first_bend(); wrong > 0.)
       {
