@@ -9,7 +9,6 @@
 
 #include <algorithm>
 #include <limits>
-#include <map>
 
 namespace Crevasse
 {
@@ -87,41 +86,6 @@ namespace Crevasse
         return std::clamp(u, 0., 1.);
       }
     };
-
-
-
-    unsigned int
-    n_segments(const FrontCurve::Chain &chain)
-    {
-      return chain.points.size() - 1;
-    }
-
-
-
-    /** Adds the middles of second-order edges to the points of a front. Those
-     * of a polygon are not on the curve for which it stands. */
-    void
-    add_middles(FrontCurve::Chain &chain, const Triangulation<3> &mesh)
-    {
-      std::map<unsigned int, Point<3>> middles; // by segment
-      bool                             is_curved = false;
-      for (const auto &cell : mesh.cell_iterators_on_level(0))
-        for (const unsigned int l : cell->line_indices())
-          for (unsigned int i = 0; i < n_segments(chain); ++i)
-            {
-              const auto      line = cell->line(l);
-              const Point<3> &a = chain.points[i], &b = chain.points[i + 1];
-              if ((line->vertex(0) != a || line->vertex(1) != b) &&
-                  (line->vertex(0) != b || line->vertex(1) != a))
-                continue;
-              middles[i] = line->center(true);
-              is_curved  = is_curved || distance_from_edge(middles[i], a, b) >
-                                         1e-6 * a.distance(b);
-            }
-      if (is_curved)
-        for (auto at = middles.rbegin(); at != middles.rend(); ++at)
-          chain.points.insert(chain.points.begin() + at->first + 1, at->second);
-    }
   } // namespace
 
 
@@ -152,7 +116,7 @@ namespace Crevasse
         add_middles(chain, mesh);
         set_tangents(chain, mesh);
         chain.arcs = {0.};
-        for (unsigned int i = 0; i < n_segments(chain); ++i)
+        for (unsigned int i = 0; i < chain.n_segments(); ++i)
           chain.arcs.push_back(chain.arcs.back() +
                                Segment(chain, i).length(1.));
       }
@@ -202,82 +166,6 @@ namespace Crevasse
 
 
 
-  Tensor<1, 3>
-  FrontCurve::tangent_at_end(const Chain            &chain,
-                             const bool              at_begin,
-                             const Triangulation<3> &mesh) const
-  {
-    const unsigned int n = n_segments(chain);
-    const Point<3> &end = at_begin ? chain.points.front() : chain.points.back();
-    Tensor<1, 3>    chord = at_begin ? chain.points[1] - chain.points[0]
-                                     : chain.points[n] - chain.points[n - 1];
-    chord /= chord.norm();
-    // Tangent of the circle through the last three points.
-    const Tensor<1, 3> &inner = chain.tangents[at_begin ? 1 : n - 1];
-    const Tensor<1, 3>  tangent =
-      n == 1 ? chord : 2. * (chord * inner) * chord - inner;
-    Tensor<1, 3> along;
-    for (const auto &cell : mesh.cell_iterators_on_level(0))
-      for (const unsigned int f : cell->face_indices())
-        {
-          const auto face   = cell->face(f);
-          const auto is_end = [&](const unsigned int v) {
-            return face->vertex(v) == end;
-          };
-          const auto vertices = face->vertex_indices();
-          if (!face->at_boundary() ||
-              std::none_of(vertices.begin(), vertices.end(), is_end))
-            continue;
-          Tensor<1, 3> normal =
-            cross_product_3d(face->vertex(1) - face->vertex(0),
-                             face->vertex(2) - face->vertex(0));
-          normal /= normal.norm();
-          if (std::abs(normal * chain.inward) > 0.5)
-            continue; // face in the crack plane
-          constexpr double cos_of_ten_degrees = 0.985;
-          if (std::abs(normal * tangent) < cos_of_ten_degrees)
-            throw SceneError(
-              wanted_by + ": the crack front meets the boundary at " +
-              Text::from_point(end) +
-              " at an angle other than 90 degrees, where K is not known. Let "
-              "the front end at right angles, or turn this off.");
-          along = normal * tangent > 0. ? normal : -normal;
-        }
-    if (along.norm() == 0.)
-      throw SceneError(
-        wanted_by + ": the crack front ends within the body at " +
-        Text::from_point(end) + ". Check the roles of the boundaries.");
-    return along;
-  }
-
-
-
-  void
-  FrontCurve::set_tangents(Chain &chain, const Triangulation<3> &mesh) const
-  {
-    const unsigned int n = n_segments(chain);
-    chain.tangents.resize(n + 1);
-    for (unsigned int i = chain.is_closed ? 0 : 1; i < n; ++i)
-      {
-        const Tensor<1, 3> before =
-          chain.points[i] - chain.points[i == 0 ? n - 1 : i - 1];
-        const Tensor<1, 3> after = chain.points[i + 1] - chain.points[i];
-        chain.tangents[i] =
-          before / before.norm_square() + after / after.norm_square();
-        chain.tangents[i] /= chain.tangents[i].norm();
-      }
-    if (chain.is_closed)
-      chain.tangents[n] = chain.tangents[0];
-    else
-      {
-        const Tensor<1, 3> first = tangent_at_end(chain, true, mesh);
-        chain.tangents[n]        = tangent_at_end(chain, false, mesh);
-        chain.tangents[0]        = first;
-      }
-  }
-
-
-
   FrontFrame
   FrontCurve::frame(const Point<3> &point) const
   {
@@ -288,7 +176,7 @@ namespace Crevasse
         const Chain       &chain  = all[c];
         const double       Y      = (point - chain.points[0]) * chain.inward;
         const Point<3>     foot   = point - Y * chain.inward;
-        const unsigned int n      = n_segments(chain);
+        const unsigned int n      = chain.n_segments();
         unsigned int       vertex = 0;
         double             square = std::numeric_limits<double>::max();
         for (unsigned int i = 0; i <= n; ++i)
@@ -335,7 +223,7 @@ namespace Crevasse
   {
     double least = std::numeric_limits<double>::max();
     for (const Chain &chain : all)
-      for (unsigned int i = 0; i <= n_segments(chain); ++i)
+      for (unsigned int i = 0; i <= chain.n_segments(); ++i)
         for (const Chain &other : all)
           for (const Point<3> &point : other.points)
             {

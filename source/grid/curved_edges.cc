@@ -51,6 +51,46 @@ namespace Crevasse
       return begin + 0.5 * chord +
              (square - 0.25) / (2. * height * height) * across;
     }
+
+
+
+    /** Parabola through the ends of an edge and its middle. */
+    template <int dim>
+    class Parabola : public Manifold<dim>
+    {
+    public:
+      Parabola(const Point<dim> &begin,
+               const Point<dim> &middle,
+               const Point<dim> &end)
+        : begin(begin)
+        , middle(middle)
+        , end(end)
+      {
+      }
+
+      std::unique_ptr<Manifold<dim>>
+      clone() const override
+      {
+        return std::make_unique<Parabola>(*this);
+      }
+
+      /** Point with the parameter that the mean of points has on the chord. */
+      Point<dim>
+      get_new_point(const ArrayView<const Point<dim>> &points,
+                    const ArrayView<const double>     &weights) const override
+      {
+        const Tensor<1, dim> chord = end - begin;
+        double               u     = 0.;
+        for (std::size_t i = 0; i < points.size(); ++i)
+          u += weights[i] * ((points[i] - begin) * chord);
+        u /= chord.norm_square();
+        return begin + u * chord +
+               4. * u * (1. - u) * (middle - begin - 0.5 * chord);
+      }
+
+    private:
+      const Point<dim> begin, middle, end;
+    };
   } // namespace
 
 
@@ -92,6 +132,18 @@ namespace Crevasse
           line->set_manifold_id(next);
           mesh.set_manifold(next++, SphericalManifold<dim>(*centre));
         }
+  }
+
+
+
+  template <int dim>
+  void
+  set_parabola(const typename Triangulation<dim>::line_iterator &line,
+               const Point<dim>                                 &middle,
+               Triangulation<dim>                               &mesh)
+  {
+    mesh.set_manifold(line->manifold_id(),
+                      Parabola<dim>(line->vertex(0), middle, line->vertex(1)));
   }
 
 
@@ -143,6 +195,7 @@ namespace Crevasse
 
   template decltype(set_curved_edges<2>)   set_curved_edges<2>;
   template decltype(set_curved_edges<3>)   set_curved_edges<3>;
+  template decltype(set_parabola<3>)       set_parabola<3>;
   template decltype(has_curved_edges<2>)   has_curved_edges<2>;
   template decltype(has_curved_edges<3>)   has_curved_edges<3>;
   template decltype(require_flat_faces<2>) require_flat_faces<2>;

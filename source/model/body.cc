@@ -4,6 +4,7 @@
 #include <crevasse/base/collectively.h>
 #include <crevasse/base/problems.h>
 #include <crevasse/base/text.h>
+#include <crevasse/crack_tip/front_curve.h>
 #include <crevasse/grid/curved_edges.h>
 #include <crevasse/model/body.h>
 #include <crevasse/model/linear_choice.h>
@@ -218,6 +219,9 @@ namespace Crevasse
           ": in three dimensions the program cannot refine a mesh with curved "
           "edges; use a finer mesh file, with [Geometry] Refinements = 0 and "
           "[Refinement] Strategy = none.");
+      if constexpr (dim == 3)
+        if (has_curved_edges(*mesh))
+          smooth_fronts(*mesh, boundary_roles(scene));
       return mesh;
     };
     RefinementParameters refinement = scene.refinement;

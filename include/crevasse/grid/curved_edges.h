@@ -29,6 +29,14 @@ namespace Crevasse
   set_curved_edges(const EdgeMiddles<dim>     &middles,
                    dealii::Triangulation<dim> &mesh);
 
+  /** Makes an edge that is curved the parabola through its ends and another
+   * middle; it must not be divided. */
+  template <int dim>
+  void
+  set_parabola(const typename dealii::Triangulation<dim>::line_iterator &line,
+               const dealii::Point<dim>                                 &middle,
+               dealii::Triangulation<dim>                               &mesh);
+
   /** Projects a point to the circle through three points, unless they lie on a
    * straight line. @throw SceneError as set_curved_edges() does. */
   dealii::Point<3>
