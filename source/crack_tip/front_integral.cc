@@ -259,13 +259,25 @@ namespace Crevasse
         place.of_force *
         surface_force<3>(loads, place.id, place.point, place.normal, t);
     const ContactForces &forces = sample.state.contact_forces;
-    for (const auto &[vertex, component, node, factor] : of_contact_forces)
-      K[vertex] +=
-        factor * (component == 0 ? forces.normal[node]
-                                 : forces.tangential[component - 1][node]);
-    Utilities::MPI::sum(K, body.space.communicator(), K);
-    for (std::size_t v = 0; v < K.size(); ++v)
-      K[v] /= vertices[v].integral();
+    const std::size_t    n      = K.size();
+    std::vector<double>  sums(4 * n); // K, and LipForces::Sums
+    std::copy(K.begin(), K.end(), sums.begin());
+    for (const auto &[vertex, component, of_forces] : of_contact_forces)
+      {
+        const LipForces::Sums lips =
+          of_forces.sums(component == 0 ? forces.normal
+                                        : forces.tangential[component - 1],
+                         forces.normal);
+        sums[n + vertex] += lips.as_they_are;
+        sums[2 * n + vertex] += lips.with_line;
+        sums[3 * n + vertex] += lips.open;
+      }
+    Utilities::MPI::sum(sums, body.space.communicator(), sums);
+    for (std::size_t v = 0; v < n; ++v)
+      K[v] = (sums[v] +
+              LipForces::Sums{sums[n + v], sums[2 * n + v], sums[3 * n + v]}
+                .chosen()) /
+             vertices[v].integral();
     if (fields.mode == CrackMode::tearing)
       for (std::size_t v = 0; v < K.size(); ++v)
         if (const auto &end = vertices[v]; end.is_end())

@@ -59,11 +59,65 @@ namespace Crevasse
 
 
 
+  LipForces
+  FrontIntegral::forces_at(
+    const unsigned int                      vertex,
+    const unsigned int                      component,
+    const std::vector<FrontFrame>          &frames,
+    const std::vector<std::vector<double>> &factors) const
+  {
+    // The tube is a few cells wide, so that the line is mostly beyond it.
+    constexpr double part = 0.75, cells = 12.;
+    const double     reach =
+      std::min(part * region.curve.reach(), cells * region.cell_radius);
+    const FrontRegion::Vertex   &here  = region.vertices[vertex];
+    const FrontCurve::Chain     &chain = region.curve.chains()[here.chain];
+    std::vector<LipForces::Node> nodes;
+    for (std::size_t i = 0; i < frames.size(); ++i)
+      {
+        const LipNode<3> &node  = body.lip.nodes[i];
+        const FrontFrame &frame = frames[i];
+        double            along = std::abs(frame.s - here.s);
+        if (chain.is_closed)
+          along = std::min(along, chain.length() - along);
+        LipForces::Node lip{i, factors[0][i], -frame.X, along, node.weight, 1.};
+        if (component > 0)
+          {
+            const double side = node.normal * frame.inward > 0. ? 1. : -1.;
+            lip.factor        = 0.;
+            for (unsigned int d = 0; d < 3; ++d)
+              lip.factor +=
+                side * node.tangents[component - 1][d] * factors[d][i];
+            // The second tangent turns with the normal.
+            lip.sign = component == 1 ? side : 1.;
+          }
+        if (lip.factor != 0. ||
+            (frame.chain == here.chain && frame.X < 0. && frame.X > -reach &&
+             std::abs(frame.Y) < 1e-6 * region.cell_radius))
+          nodes.push_back(lip);
+      }
+    // As at a tip in the plane.
+    if (!region.curve.two_lips ||
+        (fields.mode == CrackMode::opening && body.effects.viscosity.on))
+      return nodes;
+    return {nodes,
+            region.cell_radius,
+            fields.weight.radius,
+            reach,
+            body.space.communicator()};
+  }
+
+
+
   void
   FrontIntegral::keep_contact_forces(const LipSums &sums)
   {
-    const auto &nodes   = body.lip.nodes;
-    Vector      weights = body.space.ghosted_vector();
+    if (n_tractions() == 0)
+      return;
+    std::vector<FrontFrame> frames;
+    for (const LipNode<3> &node : body.lip.nodes)
+      frames.push_back(region.curve.frame(node.point));
+    Vector weights = body.space.ghosted_vector();
     for (unsigned int v = 0; v < sums.of_traction.size(); ++v)
       {
         std::vector<std::vector<double>> factors;
@@ -74,25 +128,12 @@ namespace Crevasse
               weights(dof) += of_traction[d];
             factors.push_back(body.lip.of_contact_forces(weights));
           }
-        const auto keep = [&](const unsigned int component,
-                              const std::size_t  node,
-                              const double       factor) {
-          if (factor != 0.)
-            of_contact_forces.push_back({v, component, node, factor});
-        };
-        const Tensor<1, 3> normal =
-          region.curve.frame(region.vertices[v].point).inward;
-        for (std::size_t i = 0; i < nodes.size() && n_tractions() > 0; ++i)
-          if (fields.mode == CrackMode::opening)
-            keep(0, i, factors[0][i]);
-          else
-            for (const unsigned int c : {0, 1})
-              {
-                double along = 0.;
-                for (unsigned int d = 0; d < 3; ++d)
-                  along += nodes[i].tangents[c][d] * factors[d][i];
-                keep(1 + c, i, nodes[i].normal * normal > 0. ? along : -along);
-              }
+        if (fields.mode == CrackMode::opening)
+          of_contact_forces.push_back({v, 0, forces_at(v, 0, frames, factors)});
+        else
+          for (const unsigned int c : {1, 2})
+            of_contact_forces.push_back(
+              {v, c, forces_at(v, c, frames, factors)});
       }
   }
 } // namespace Crevasse

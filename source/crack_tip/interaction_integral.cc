@@ -78,12 +78,12 @@ namespace Crevasse
     , of_contact_forces(!region.has_bends() && interface == nullptr &&
                             (mode == CrackMode::opening ||
                              (mode == CrackMode::sliding && body.friction))
-                          ? LipIntegral(body,
-                                        region,
-                                        region.weight(squares.size),
-                                        mode == CrackMode::sliding ||
-                                          !body.effects.viscosity.on)
-                          : LipIntegral())
+                          ? lip_integral(body,
+                                         region,
+                                         region.weight(squares.size),
+                                         mode == CrackMode::sliding ||
+                                           !body.effects.viscosity.on)
+                          : LipForces())
   {
     if (kappa_of_ring > 0.)
       of_contact_forces.scale(1. / region.tip.position[0]);
@@ -253,12 +253,15 @@ namespace Crevasse
       sum += 4. / (kappa + 1.) *
              (of_pressure_on_bends[0][i] + kappa * of_pressure_on_bends[1][i]) *
              normal[i];
-    return Utilities::MPI::sum(sum, body.space.communicator()) +
-           of_contact_forces.value(mode == CrackMode::opening ||
-                                       contact_forces.tangential.empty()
-                                     ? normal
-                                     : contact_forces.tangential[0],
-                                   normal);
+    const LipForces::Sums lips =
+      of_contact_forces.sums(mode == CrackMode::opening ||
+                                 contact_forces.tangential.empty()
+                               ? normal
+                               : contact_forces.tangential[0],
+                             normal);
+    std::vector<double> sums{sum, lips.as_they_are, lips.with_line, lips.open};
+    Utilities::MPI::sum(sums, body.space.communicator(), sums);
+    return sums[0] + LipForces::Sums{sums[1], sums[2], sums[3]}.chosen();
   }
 
 

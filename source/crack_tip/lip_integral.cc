@@ -86,11 +86,11 @@ namespace Crevasse
 
 
 
-  LipIntegral::LipIntegral(const Body<2>      &body,
-                           const TipRegion    &region,
-                           const SquareWeight &weight,
-                           const bool          is_smooth)
-    : communicator(body.space.communicator())
+  LipForces
+  lip_integral(const Body<2>      &body,
+               const TipRegion    &region,
+               const SquareWeight &weight,
+               const bool          is_smooth)
   {
     const CrackTip                      &tip = region.tip;
     const FESystem<2>                   &fe  = body.space.finite_element;
@@ -116,83 +116,23 @@ namespace Crevasse
                               tip.local(values.quadrature_point(q))[0])[0] *
                             values.JxW(q);
                   });
-    factors = of_line = body.lip.of_contact_forces(per_pressure);
+    const std::vector<double> factors =
+      body.lip.of_contact_forces(per_pressure);
+    std::vector<LipForces::Node> nodes;
+    for (std::size_t i = 0; i < factors.size(); ++i)
+      if (factors[i] != 0.)
+        {
+          const LipNode<2> &node = body.lip.nodes[i];
+          nodes.push_back(
+            {i, factors[i], -tip.local(node.point)[0], 0., node.weight, 1.});
+        }
     if (!is_smooth || !tip.two_lips)
-      return; // one lip has a mirrored mesh
-
-    const auto r_of = [&](const std::size_t i) {
-      return -tip.local(body.lip.nodes[i].point)[0];
-    };
-    // Where cells grow with the distance, so does the error over all of them.
-    const double begin   = 2. * region.cell_radius + weight.radius / 64.;
-    double       end     = 3.5 * begin;
-    const auto   are_few = [&]() {
-      on_line.clear();
-      for (std::size_t i = 0; i < factors.size(); ++i)
-        if (factors[i] != 0. && r_of(i) > begin && r_of(i) < end)
-          on_line.push_back(i);
-      const auto n = static_cast<unsigned int>(on_line.size());
-      return Utilities::MPI::sum(n, communicator) < 4;
-    };
-    while (are_few())
-      if ((end *= 1.5) > weight.radius)
-        {
-          on_line.clear();
-          return;
-        }
-
-    // Matrix of the least squares, and factors of the line's coefficients.
-    SymmetricTensor<2, 2> matrix;
-    Tensor<1, 2>          of_coefficients;
-    for (const std::size_t i : on_line)
-      {
-        const Tensor<1, 2> line({1., r_of(i)});
-        matrix +=
-          body.lip.nodes[i].weight * symmetrize(outer_product(line, line));
-      }
-    for (std::size_t i = 0; i < factors.size(); ++i)
-      if (factors[i] != 0. && r_of(i) <= begin)
-        {
-          of_coefficients +=
-            factors[i] * body.lip.nodes[i].weight * Tensor<1, 2>({1., r_of(i)});
-          of_line[i] = 0.;
-        }
-    matrix          = Utilities::MPI::sum(matrix, communicator);
-    of_coefficients = Utilities::MPI::sum(of_coefficients, communicator);
-    const Tensor<1, 2> solution = invert(matrix) * of_coefficients;
-    for (const std::size_t i : on_line)
-      of_line[i] += solution * Tensor<1, 2>({1., r_of(i)});
-  }
-
-
-
-  double
-  LipIntegral::value(const std::vector<double> &forces,
-                     const std::vector<double> &normal) const
-  {
-    std::array<double, 3> sums{}; // of both factors; open less closed nodes
-    for (std::size_t i = 0; i < factors.size(); ++i)
-      {
-        sums[0] += factors[i] * forces[i];
-        sums[1] += of_line[i] * forces[i];
-      }
-    for (const std::size_t i : on_line)
-      sums[2] += normal[i] > 0. ? -1. : 1.;
-    Utilities::MPI::sum(ArrayView<const double>(sums.data(), 3),
-                        communicator,
-                        ArrayView<double>(sums.data(), 3));
-    return sums[sums[2] > 0. ? 0 : 1];
-  }
-
-
-
-  void
-  LipIntegral::scale(const double factor)
-  {
-    for (double &value : factors)
-      value *= factor;
-    for (double &value : of_line)
-      value *= factor;
+      return nodes; // one lip has a mirrored mesh
+    return {nodes,
+            region.cell_radius,
+            weight.radius,
+            weight.radius,
+            body.space.communicator()};
   }
 
 

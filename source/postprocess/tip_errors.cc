@@ -152,11 +152,11 @@ namespace Crevasse
         if (mode != CrackMode::opening || region.has_bends() ||
             at_tip.interface)
           return {};
-        return LipIntegral(body,
-                           region,
-                           region.weight(intensity.radius()),
-                           !body.effects.viscosity.on)
-          .factors_of_forces();
+        return lip_integral(body,
+                            region,
+                            region.weight(intensity.radius()),
+                            !body.effects.viscosity.on)
+          .factors(body.lip.nodes.size());
       }
 
       /** Stress of a strain at an offset. */

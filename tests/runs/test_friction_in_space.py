@@ -135,6 +135,40 @@ def test_through_crack_without():
                 "K_II of a coefficient 0")
 
 
+def test_other_cells_below():
+    """Under a uniform pressure p and shear 2 p friction leaves 3/4 of K_II, also where the
+    cells on one side of the crack are others, so that the pressure next to the front is
+    wrong."""
+    below = [y for y in line(4) if y < 0]
+    write_block("other.msh", (line(6), below + [y for y in line(6) if y >= 0],
+                              steps(0, 0.25, 1)),
+                lambda middle, normal: (normal == 1 and middle[1] == 0
+                                        and abs(middle[0]) < 1))
+    on_top = f"if(abs(y) > {HALF - 1e-6}, sign(y), 0)*sin(pi*t)"
+    on_side = f"if(abs(x) > {HALF - 1e-6}, sign(x), 0)*sin(pi*t)"
+    scene = SCENE.format(
+        3, "other", CRACK,
+        f"  set Loaded       = {LEFT}, {RIGHT}, {BOTTOM}, {TOP}\n"
+        f"  set Symmetry     = {FRONT}, {BACK}\n"
+        f"  set Fixed points = {-HALF}, 0, 0: 2; {HALF}, 0, 0: 1, 2", 0.3,
+        f"  set Traction = 2*{on_top}; 2*{on_side} - {on_top}; 0") + """
+subsection Refinement
+  set Strategy = tip
+  set Cycles   = 1
+end
+subsection Crack tip
+  set Stress intensity = true
+end
+"""
+    held = run(scene, "other_held")
+    free = run("other_held.prm", "other_free", ["Boundary/Friction coefficient=0"])
+    for row, without in zip(front(held, 0.5), front(free, 0.5), strict=True):
+        exact = 0.75 * without["K_II"]
+        print(row["K_II"] / without["K_II"], row["K_II_error"] / abs(exact))
+        check_below(abs(row["K_II"] / exact - 1), 5e-3, "K_II that friction leaves")
+        check_below(abs(row["K_II"] - exact), 2 * row["K_II_error"], "its printed error")
+
+
 def test_blocks():
     """A block that another one presses and pushes at 30 degrees sticks, or slides as a
     rigid one, in a uniform stress that the sides bear, too."""
@@ -243,6 +277,7 @@ def test_penny():
         check_below(worst / size, 1e-2, f"{name} that friction leaves")
 
 
-for test in (test_through_crack, test_through_crack_without, test_blocks, test_turned,
+for test in (test_through_crack, test_through_crack_without, test_other_cells_below,
+             test_blocks, test_turned,
              test_penny):
     test()

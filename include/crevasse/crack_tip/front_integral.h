@@ -6,6 +6,7 @@
 
 #include <crevasse/crack_tip/front_field.h>
 #include <crevasse/crack_tip/front_region.h>
+#include <crevasse/crack_tip/lip_forces.h>
 #include <crevasse/model/body.h>
 #include <crevasse/time/observer.h>
 
@@ -106,6 +107,14 @@ namespace Crevasse
                   const unsigned int                                  q,
                   const std::vector<dealii::types::global_dof_index> &dofs,
                   LipSums                                            &sums);
+    /** Contribution of the contact forces along the normal (0) or a tangent (1,
+     * 2) to a vertex. Collective. @param frames at this rank's nodes.
+     * @param factors of the normal force, or of the components of forces. */
+    LipForces
+    forces_at(const unsigned int                      vertex,
+              const unsigned int                      component,
+              const std::vector<FrontFrame>          &frames,
+              const std::vector<std::vector<double>> &factors) const;
     /** Keeps the factors of contact forces. */
     void
     keep_contact_forces(const LipSums &sums);
@@ -134,15 +143,14 @@ namespace Crevasse
     std::vector<std::pair<unsigned int, Expression>> body_force;
     std::vector<Kernel>                              kernels;
 
-    struct ContactFactor
+    struct ContactShare
     {
       unsigned int vertex;    ///< vertex of the front
       unsigned int component; ///< 0: normal; then tangents
-      std::size_t  node;      ///< node of the lip
-      double       factor;
+      LipForces    forces;
     };
 
-    std::vector<ContactFactor> of_contact_forces;
+    std::vector<ContactShare> of_contact_forces;
   };
 } // namespace Crevasse
 

@@ -231,9 +231,9 @@ namespace Crevasse
     std::vector<std::pair<unsigned int, Expression>> body_force;
     std::vector<std::pair<LipPoint, AuxiliaryField>> loaded; ///< on lips
     std::vector<Kernel>                              kernels;
-    bool        has_creep = false; ///< whether viscous strain enters
-    double      of_hoops  = 0.;    ///< integral of hoops_at()
-    LipIntegral of_contact_forces;
+    bool      has_creep = false; ///< whether viscous strain enters
+    double    of_hoops  = 0.;    ///< integral of hoops_at()
+    LipForces of_contact_forces;
     /** On lips that bend, or that are closed between two bodies. */
     Vector of_displacement;
     /** Integral of τ over the square, which lips that bend bear. */

@@ -4,63 +4,23 @@
 #ifndef crevasse_crack_tip_lip_integral_h
 #define crevasse_crack_tip_lip_integral_h
 
+#include <crevasse/crack_tip/lip_forces.h>
 #include <crevasse/crack_tip/tip_region.h>
 #include <crevasse/model/body.h>
 
 namespace Crevasse
 {
   /** Contribution ∫ 2 p q / √(2πr) ds of the pressure p on the lip to the
-   * interaction integral for K_I, as factors of the contact forces of the lip's
-   * local nodes. The shear traction of friction contributes alike to K_II, with
-   * the forces along the tangents: see LipBasis.
-   *
-   * In the cells at a tip whose lips slide the stress of K_II is as wrong as it
-   * is large. Unless both sides have mirrored meshes, so is the pressure: its
-   * mean over a cell of size h by about K_II/√h, which contributes alike on all
-   * meshes. But displacements at a distance from the tip are right, and the
-   * pressure is smooth: from there the straight line of least squares (of
-   * pressures with the areas of their nodes) continues it to the tip. It begins
-   * elsewhere in squares of other sizes, so that their difference shows what is
-   * left.
-   */
-  class LipIntegral
-  {
-  public:
-    LipIntegral() = default;
-
-    /** Collective.
-     * @param is_smooth whether the pressure is smooth at the tip: it is not
-     * where a tip that has crept open is closed. */
-    LipIntegral(const Body<2>      &body,
-                const TipRegion    &region,
-                const SquareWeight &weight,
-                const bool          is_smooth);
-
-    /** Contribution of normal or tangential forces of the lip's local nodes.
-     * Collective.
-     * @param normal normal forces: half of the nodes from which the line is
-     * continued must be closed. */
-    double
-    value(const std::vector<double> &forces,
-          const std::vector<double> &normal) const;
-
-    /** Factors of the forces, with the line. */
-    const std::vector<double> &
-    factors_of_forces() const
-    {
-      return of_line;
-    }
-
-    /** Multiplies the contribution. */
-    void
-    scale(const double factor);
-
-  private:
-    MPI_Comm                 communicator = MPI_COMM_SELF;
-    std::vector<double>      factors; ///< of the forces
-    std::vector<double>      of_line; ///< likewise, with the line at the tip
-    std::vector<std::size_t> on_line; ///< local nodes that decide on the line
-  };
+   * interaction integral for K_I. The shear traction of friction contributes
+   * alike to K_II, with the forces along the tangents: see LipBasis.
+   * Collective.
+   * @param is_smooth whether the pressure is smooth at the tip: it is not where
+   * a tip that has crept open is closed. */
+  LipForces
+  lip_integral(const Body<2>      &body,
+               const TipRegion    &region,
+               const SquareWeight &weight,
+               const bool          is_smooth);
 
   /** Quadrature point on the lips of a tip. */
   struct LipPoint

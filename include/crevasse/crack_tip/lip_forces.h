@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Crevasse authors
+
+#ifndef crevasse_crack_tip_lip_forces_h
+#define crevasse_crack_tip_lip_forces_h
+
+#include <deal.II/base/mpi.h>
+
+#include <vector>
+
+namespace Crevasse
+{
+  /**
+   * Contribution of the contact forces on the lips to K at a tip, or at a
+   * vertex of a crack front: a linear function.
+   *
+   * In the cells at a tip whose lips slide the stress of K_II is as wrong as it
+   * is large. Unless both sides have mirrored meshes, so is the pressure: its
+   * mean over a cell of size h by about K_II/√h, which contributes alike on all
+   * meshes. But displacements at a distance from the tip are right, and the
+   * pressure is smooth: from there the straight line of least squares (of
+   * pressures with the areas of their nodes) continues it to the tip. It begins
+   * elsewhere in squares of other sizes, so that their difference shows what is
+   * left. At a front, the nodes beside a vertex count less the farther they are
+   * along the front, up to the distance to which the line extends.
+   */
+  class LipForces
+  {
+  public:
+    /** Local node of the lips. */
+    struct Node
+    {
+      std::size_t number;   ///< in ContactBoundary::nodes
+      double      factor;   ///< of its force; 0 beyond the square
+      double      distance; ///< from the tip or front
+      double      along;    ///< distance along the front; 0 at a tip
+      double      area;     ///< its force under a uniform pressure 1
+      double      sign;     ///< sign of its force under a uniform traction
+    };
+
+    LipForces() = default;
+
+    /** Contribution of the forces as they are. */
+    LipForces(const std::vector<Node> &nodes);
+
+    /** Contribution with the line, if enough nodes are beyond the distance
+     * where it begins. Collective.
+     * @param cell_radius size of the cells at the tip.
+     * @param size of the square. @param reach largest distance on the line. */
+    LipForces(const std::vector<Node> &nodes,
+              const double             cell_radius,
+              const double             size,
+              const double             reach,
+              const MPI_Comm           communicator);
+
+    /** What a rank adds to the sums over all ranks. */
+    struct Sums
+    {
+      double as_they_are = 0.;
+      double with_line   = 0.;
+      double open        = 0.; ///< open less closed nodes on the line
+
+      /** The contribution of sums over all ranks: with the line if half of its
+       * nodes are closed. */
+      double
+      chosen() const
+      {
+        return open > 0. ? as_they_are : with_line;
+      }
+    };
+
+    /** Sums of normal or tangential forces, of all local nodes.
+     * @param normal normal forces. */
+    Sums
+    sums(const std::vector<double> &forces,
+         const std::vector<double> &normal) const;
+
+    /** Multiplies the contribution. */
+    void
+    scale(const double factor);
+
+    /** Factors with the line, of all local nodes. */
+    std::vector<double>
+    factors(const std::size_t n_nodes) const;
+
+  private:
+    struct Factor
+    {
+      std::size_t node;
+      double      as_it_is;
+      double      with_line;
+      bool        is_on_line;
+    };
+
+    std::vector<Factor> all;
+  };
+} // namespace Crevasse
+
+#endif
