@@ -4,8 +4,8 @@
 #include <crevasse/base/collectively.h>
 #include <crevasse/base/problems.h>
 #include <crevasse/base/text.h>
-#include <crevasse/crack_tip/front_curve.h>
 #include <crevasse/grid/curved_edges.h>
+#include <crevasse/grid/front_curve.h>
 #include <crevasse/model/body.h>
 #include <crevasse/model/linear_choice.h>
 #include <crevasse/model/mesh_materials.h>
@@ -37,6 +37,26 @@ namespace Crevasse
                             loads.reference->value_or(0.));
       });
       return std::move(*temperature);
+    }
+
+
+
+    /** Makes the fronts smooth along which the scene asks for K or C(t). */
+    void
+    smooth_fronts_of(const Scene &scene, Triangulation<3> &mesh, Log *log)
+    {
+      const BoundaryRoles roles = boundary_roles(scene);
+      if (!has_curved_edges(mesh) ||
+          !(stress_intensity_effect(scene, roles).on ||
+            scene.crack_tip.creep_integral))
+        return;
+      const double moved = smooth_fronts(mesh, roles);
+      if (moved > 0. && log != nullptr)
+        log->line(
+          Text::format("  mesh file: the crack front is made smooth: "
+                       "middles of its edges move by up to %.2g %% of "
+                       "their lengths",
+                       100. * moved));
     }
 
 
@@ -198,7 +218,8 @@ namespace Crevasse
   std::shared_ptr<Mesh<dim>>
   make_scene_mesh(const Scene &scene, const MPI_Comm communicator, Log *log)
   {
-    const auto unrefined = [&scene, communicator, &log]() {
+    Log *const first_log = log;
+    const auto unrefined = [&scene, communicator, &log, first_log]() {
       auto mesh = std::make_shared<Mesh<dim>>(communicator);
       make_mesh<dim>(scene.geometry,
                      *mesh,
@@ -220,8 +241,7 @@ namespace Crevasse
           "edges; use a finer mesh file, with [Geometry] Refinements = 0 and "
           "[Refinement] Strategy = none.");
       if constexpr (dim == 3)
-        if (has_curved_edges(*mesh))
-          smooth_fronts(*mesh, boundary_roles(scene));
+        smooth_fronts_of(scene, *mesh, first_log);
       return mesh;
     };
     RefinementParameters refinement = scene.refinement;

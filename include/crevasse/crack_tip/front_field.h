@@ -5,7 +5,7 @@
 #define crevasse_crack_tip_front_field_h
 
 #include <crevasse/crack_tip/auxiliary_field.h>
-#include <crevasse/crack_tip/front_curve.h>
+#include <crevasse/grid/front_curve.h>
 
 namespace Crevasse
 {

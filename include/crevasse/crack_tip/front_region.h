@@ -4,9 +4,9 @@
 #ifndef crevasse_crack_tip_front_region_h
 #define crevasse_crack_tip_front_region_h
 
-#include <crevasse/crack_tip/front_curve.h>
 #include <crevasse/crack_tip/square_region.h>
 #include <crevasse/discretisation/space.h>
+#include <crevasse/grid/front_curve.h>
 
 #include <array>
 

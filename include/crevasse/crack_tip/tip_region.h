@@ -5,11 +5,11 @@
 #define crevasse_crack_tip_tip_region_h
 
 #include <crevasse/base/summary.h>
-#include <crevasse/crack_tip/front_curve.h>
 #include <crevasse/crack_tip/lip_path.h>
 #include <crevasse/crack_tip/square_region.h>
 #include <crevasse/discretisation/point_values.h>
 #include <crevasse/discretisation/quadrature_field.h>
+#include <crevasse/grid/front_curve.h>
 
 namespace Crevasse
 {

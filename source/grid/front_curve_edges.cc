@@ -5,8 +5,8 @@
 
 #include <crevasse/base/problems.h>
 #include <crevasse/base/text.h>
-#include <crevasse/crack_tip/front_curve.h>
 #include <crevasse/grid/curved_edges.h>
+#include <crevasse/grid/front_curve.h>
 
 #include <map>
 #include <optional>
@@ -177,7 +177,7 @@ namespace Crevasse
 
 
 
-  void
+  double
   smooth_fronts(Triangulation<3> &mesh, const BoundaryRoles &roles)
   {
     std::optional<FrontCurve> curve;
@@ -187,29 +187,39 @@ namespace Crevasse
       }
     catch (const SceneError &)
       {
-        return; // K of such fronts is refused where it is asked for
+        return 0.; // K of such fronts is refused where it is asked for
       }
+    constexpr double least = 2.5e-4, most = 0.03;
+    double           largest = 0.;
     for (const auto &cell : mesh.cell_iterators_on_level(0))
       for (const unsigned int l : cell->line_indices())
         for (const FrontCurve::Chain &chain : curve->chains())
           for (unsigned int i = 1; i < chain.n_segments(); ++i)
             {
+              const auto      line = cell->line(l);
               const Point<3> &a = chain.points[i - 1], &b = chain.points[i + 1];
-              if (!is_between(cell->line(l), a, b) ||
-                  cell->line(l)->manifold_id() == numbers::flat_manifold_id)
+              if (line->manifold_id() == numbers::flat_manifold_id ||
+                  !is_between(line, a, b))
                 continue;
-              const Tensor<1, 3> &at_a  = chain.tangents[i - 1],
-                                 &at_b  = chain.tangents[i + 1];
-              const Tensor<1, 3> chord  = b - a;
-              const double       cosine = at_a * at_b;
-              const double along = (chord * at_a - cosine * (chord * at_b)) /
-                                   (1. - cosine * cosine);
-              const Point<3> corner = a + along * at_a;
-              // An edge that bends to both sides is no parabola.
-              if ((corner - a) * at_a > 0. && (b - corner) * at_b > 0.)
-                set_parabola<3>(cell->line(l),
-                                corner + 0.25 * ((a - corner) + (b - corner)),
-                                mesh);
+              const Tensor<1, 3> &at_a = chain.tangents[i - 1],
+                                 &at_b = chain.tangents[i + 1];
+              const Tensor<1, 3> turn  = cross_product_3d(at_a, at_b);
+              const Tensor<1, 3> chord = b - a;
+              const double       to_corner =
+                cross_product_3d(chord, at_b) * turn / turn.norm_square();
+              const Tensor<1, 3> from_a = to_corner * at_a;
+              // The tangents of an edge that bends to both sides do not meet
+              // between them.
+              if (!(to_corner > 0. && (chord - from_a) * at_b > 0.))
+                continue;
+              const Point<3> middle = a + 0.25 * chord + 0.5 * from_a;
+              const double   move =
+                middle.distance(line->center(true)) / chord.norm();
+              if (move < least || move > most)
+                continue;
+              set_parabola<3>(line, middle, mesh);
+              largest = std::max(largest, move);
             }
+    return largest;
   }
 } // namespace Crevasse

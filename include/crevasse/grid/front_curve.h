@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Crevasse authors
 
-#ifndef crevasse_crack_tip_front_curve_h
-#define crevasse_crack_tip_front_curve_h
+#ifndef crevasse_grid_front_curve_h
+#define crevasse_grid_front_curve_h
 
 #include <crevasse/grid/crack_tip.h>
 
@@ -116,10 +116,12 @@ namespace Crevasse
    * order are parabolas, and where they meet at an angle K is wrong: 1.8 % at
    * an ellipse of 2 : 1 with 6 edges along a quarter, 0.3 % without angles. The
    * middle of a parabola is the mean of the middle of its chord and of the
-   * point where its tangents meet. Fronts that FrontCurve refuses stay as they
-   * are.
+   * point where its tangents meet. Edges that would turn by less than 1e-3, or
+   * whose middle would move by more than 3 % of the chord, stay, as all do of
+   * fronts that FrontCurve refuses.
+   * @return the largest move, relative to the chord.
    */
-  void
+  double
   smooth_fronts(dealii::Triangulation<3> &mesh, const BoundaryRoles &roles);
 } // namespace Crevasse
 

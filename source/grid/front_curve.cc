@@ -3,7 +3,7 @@
 
 #include <crevasse/base/problems.h>
 #include <crevasse/base/text.h>
-#include <crevasse/crack_tip/front_curve.h>
+#include <crevasse/grid/front_curve.h>
 
 #include <deal.II/base/quadrature_lib.h>
 
