@@ -268,9 +268,9 @@ namespace Crevasse
           of_forces.sums(component == 0 ? forces.normal
                                         : forces.tangential[component - 1],
                          forces.normal);
-        sums[n + vertex] += lips.as_they_are;
+        sums[n + vertex] += lips.of_forces;
         sums[2 * n + vertex] += lips.with_line;
-        sums[3 * n + vertex] += lips.open;
+        sums[3 * n + vertex] += lips.open_less_closed;
       }
     Utilities::MPI::sum(sums, body.space.communicator(), sums);
     for (std::size_t v = 0; v < n; ++v)

@@ -60,16 +60,12 @@ namespace Crevasse
 
 
   LipForces
-  FrontIntegral::forces_at(
-    const unsigned int                      vertex,
-    const unsigned int                      component,
-    const std::vector<FrontFrame>          &frames,
-    const std::vector<std::vector<double>> &factors) const
+  FrontIntegral::forces_at(const unsigned int                      vertex,
+                           const unsigned int                      component,
+                           const std::vector<FrontFrame>          &frames,
+                           const std::vector<std::vector<double>> &factors,
+                           const double                            reach) const
   {
-    // The tube is a few cells wide, so that the line is mostly beyond it.
-    constexpr double part = 0.75, cells = 12.;
-    const double     reach =
-      std::min(part * region.curve.reach(), cells * region.cell_radius);
     const FrontRegion::Vertex   &here  = region.vertices[vertex];
     const FrontCurve::Chain     &chain = region.curve.chains()[here.chain];
     std::vector<LipForces::Node> nodes;
@@ -93,16 +89,16 @@ namespace Crevasse
           }
         if (lip.factor != 0. ||
             (frame.chain == here.chain && frame.X < 0. && frame.X > -reach &&
-             std::abs(frame.Y) < 1e-6 * region.cell_radius))
+             along < reach && std::abs(frame.Y) < 1e-6 * region.cell_radius))
           nodes.push_back(lip);
       }
     // As at a tip in the plane.
     if (!region.curve.two_lips ||
         (fields.mode == CrackMode::opening && body.effects.viscosity.on))
-      return nodes;
+      return LipForces(nodes);
+    // The line begins elsewhere for the two tubes, of about 3 and 1.5 cells.
     return {nodes,
-            region.cell_radius,
-            fields.weight.radius,
+            1.5 * region.cell_radius + fields.weight.radius / 3.,
             reach,
             body.space.communicator()};
   }
@@ -117,6 +113,10 @@ namespace Crevasse
     std::vector<FrontFrame> frames;
     for (const LipNode<3> &node : body.lip.nodes)
       frames.push_back(region.curve.frame(node.point));
+    // Tubes are a few cells wide, so that the line is mostly beyond them.
+    constexpr double part = 0.75, cells = 12.;
+    const double     reach =
+      std::min(part * region.curve.reach(), cells * region.cell_radius);
     Vector weights = body.space.ghosted_vector();
     for (unsigned int v = 0; v < sums.of_traction.size(); ++v)
       {
@@ -129,11 +129,12 @@ namespace Crevasse
             factors.push_back(body.lip.of_contact_forces(weights));
           }
         if (fields.mode == CrackMode::opening)
-          of_contact_forces.push_back({v, 0, forces_at(v, 0, frames, factors)});
+          of_contact_forces.push_back(
+            {v, 0, forces_at(v, 0, frames, factors, reach)});
         else
           for (const unsigned int c : {1, 2})
             of_contact_forces.push_back(
-              {v, c, forces_at(v, c, frames, factors)});
+              {v, c, forces_at(v, c, frames, factors, reach)});
       }
   }
 } // namespace Crevasse

@@ -5,6 +5,8 @@
 
 #include <deal.II/base/symmetric_tensor.h>
 
+#include <algorithm>
+
 namespace Crevasse
 {
   using namespace dealii;
@@ -18,15 +20,12 @@ namespace Crevasse
 
 
   LipForces::LipForces(const std::vector<Node> &nodes,
-                       const double             cell_radius,
-                       const double             size,
+                       const double             begin,
                        const double             reach,
                        const MPI_Comm           communicator)
     : LipForces(nodes)
   {
-    // Where cells grow with the distance, so does the error over all of them.
-    const double          begin = 2. * cell_radius + size / 64.;
-    double                end   = 3.5 * begin;
+    double                end = 3.5 * begin;
     SymmetricTensor<2, 2> matrix; // of the least squares
     const auto            line = [&](const std::size_t i) {
       return Tensor<1, 2>({1., nodes[i].distance});
@@ -36,7 +35,7 @@ namespace Crevasse
         nodes[i].distance > begin && nodes[i].distance < end;
       return is_between ? std::max(0., 1. - nodes[i].along / end) : 0.;
     };
-    const auto is_defined = [&]() {
+    const auto fit_until_end = [&]() {
       matrix         = 0.;
       unsigned int n = 0;
       for (std::size_t i = 0; i < nodes.size(); ++i)
@@ -54,7 +53,7 @@ namespace Crevasse
       return Utilities::MPI::sum(n, communicator) >= 4 &&
              square > part * part * begin * begin;
     };
-    while (!is_defined())
+    while (!fit_until_end())
       if ((end *= 1.5) > reach)
         {
           for (Factor &factor : all)
@@ -75,6 +74,13 @@ namespace Crevasse
     for (std::size_t i = 0; i < nodes.size(); ++i)
       if (all[i].is_on_line)
         all[i].with_line += nodes[i].sign * share(i) * (solution * line(i));
+    all.erase(std::remove_if(all.begin(),
+                             all.end(),
+                             [](const Factor &factor) {
+                               return factor.of_force == 0. &&
+                                      !factor.is_on_line;
+                             }),
+              all.end());
   }
 
 
@@ -86,10 +92,10 @@ namespace Crevasse
     Sums sums;
     for (const Factor &factor : all)
       {
-        sums.as_they_are += factor.as_it_is * forces[factor.node];
+        sums.of_forces += factor.of_force * forces[factor.node];
         sums.with_line += factor.with_line * forces[factor.node];
         if (factor.is_on_line)
-          sums.open += normal[factor.node] > 0. ? -1. : 1.;
+          sums.open_less_closed += normal[factor.node] > 0. ? -1. : 1.;
       }
     return sums;
   }
@@ -101,7 +107,7 @@ namespace Crevasse
   {
     for (Factor &one : all)
       {
-        one.as_it_is *= factor;
+        one.of_force *= factor;
         one.with_line *= factor;
       }
   }

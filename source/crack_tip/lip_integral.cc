@@ -127,10 +127,10 @@ namespace Crevasse
             {i, factors[i], -tip.local(node.point)[0], 0., node.weight, 1.});
         }
     if (!is_smooth || !tip.two_lips)
-      return nodes; // one lip has a mirrored mesh
+      return LipForces(nodes); // one lip has a mirrored mesh
+    // Where cells grow with the distance, so does the error over all of them.
     return {nodes,
-            region.cell_radius,
-            weight.radius,
+            2. * region.cell_radius + weight.radius / 64.,
             weight.radius,
             body.space.communicator()};
   }

@@ -109,12 +109,14 @@ namespace Crevasse
                   LipSums                                            &sums);
     /** Contribution of the contact forces along the normal (0) or a tangent (1,
      * 2) to a vertex. Collective. @param frames at this rank's nodes.
-     * @param factors of the normal force, or of the components of forces. */
+     * @param factors of the normal force, or of the components of forces.
+     * @param reach of the line that continues forces to the front. */
     LipForces
     forces_at(const unsigned int                      vertex,
               const unsigned int                      component,
               const std::vector<FrontFrame>          &frames,
-              const std::vector<std::vector<double>> &factors) const;
+              const std::vector<std::vector<double>> &factors,
+              const double                            reach) const;
     /** Keeps the factors of contact forces. */
     void
     keep_contact_forces(const LipSums &sums);

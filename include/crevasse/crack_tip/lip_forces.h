@@ -41,31 +41,31 @@ namespace Crevasse
     LipForces() = default;
 
     /** Contribution of the forces as they are. */
-    LipForces(const std::vector<Node> &nodes);
+    explicit LipForces(const std::vector<Node> &nodes);
 
-    /** Contribution with the line, if enough nodes are beyond the distance
-     * where it begins. Collective.
-     * @param cell_radius size of the cells at the tip.
-     * @param size of the square. @param reach largest distance on the line. */
+    /** Contribution with the line, if enough nodes are beyond its begin.
+     * Collective.
+     * @param begin distance up to which forces are wrong: two cells and more.
+     * @param reach largest distance on the line. */
     LipForces(const std::vector<Node> &nodes,
-              const double             cell_radius,
-              const double             size,
+              const double             begin,
               const double             reach,
               const MPI_Comm           communicator);
 
     /** What a rank adds to the sums over all ranks. */
     struct Sums
     {
-      double as_they_are = 0.;
-      double with_line   = 0.;
-      double open        = 0.; ///< open less closed nodes on the line
+      double of_forces        = 0.;
+      double with_line        = 0.;
+      double open_less_closed = 0.; ///< number of nodes on the line
 
       /** The contribution of sums over all ranks: with the line if half of its
-       * nodes are closed. */
+       * nodes are closed. Nodes nearer to the tip do not decide: whether they
+       * are closed may be as wrong as their forces. */
       double
       chosen() const
       {
-        return open > 0. ? as_they_are : with_line;
+        return open_less_closed > 0. ? of_forces : with_line;
       }
     };
 
@@ -87,7 +87,7 @@ namespace Crevasse
     struct Factor
     {
       std::size_t node;
-      double      as_it_is;
+      double      of_force; ///< without the line
       double      with_line;
       bool        is_on_line;
     };
