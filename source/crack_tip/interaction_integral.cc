@@ -259,7 +259,10 @@ namespace Crevasse
                                ? normal
                                : contact_forces.tangential[0],
                              normal);
-    std::vector<double> sums{sum, lips.as_they_are, lips.with_line, lips.open};
+    std::vector<double> sums{sum,
+                             lips.of_forces,
+                             lips.with_line,
+                             lips.open_less_closed};
     Utilities::MPI::sum(sums, body.space.communicator(), sums);
     return sums[0] + LipForces::Sums{sums[1], sums[2], sums[3]}.chosen();
   }

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Crevasse authors
 
-#include <crevasse/crack_tip/lip_integral.h>
 #include <crevasse/discretisation/stress_estimator.h>
 #include <crevasse/model/largest_load.h>
 #include <crevasse/postprocess/tip_errors.h>
@@ -45,7 +44,9 @@ namespace Crevasse
       {
         const Vector              N = factor_of_stress(intensity, at_tip, mode);
         const std::vector<double> of_forces =
-          factors_of_forces(intensity, at_tip, mode);
+          mode == CrackMode::opening
+            ? intensity.integral_of(mode).factors_of_forces()
+            : std::vector<double>();
         const double k = instant.material.stiffness_factor;
         // A closed node bears the forces on the lips if it is moved by its
         // factor.
@@ -141,24 +142,6 @@ namespace Crevasse
         return strain[0] + strain[1] + strain[2];
       }
 
-      /** Factors of the contact forces in K, where they are those of straight
-       * lips in one body. */
-      std::vector<double>
-      factors_of_forces(const StressIntensity &intensity,
-                        const TipElasticity   &at_tip,
-                        const CrackMode        mode) const
-      {
-        const TipRegion &region = intensity.region;
-        if (mode != CrackMode::opening || region.has_bends() ||
-            at_tip.interface)
-          return {};
-        return lip_integral(body,
-                            region,
-                            region.weight(intensity.radius()),
-                            !body.effects.viscosity.on)
-          .factors(body.lip.nodes.size());
-      }
-
       /** Stress of a strain at an offset. */
       VoigtVector<2>
       stress_of(const VoigtVector<2> &strain, const std::size_t offset) const
@@ -240,8 +223,8 @@ namespace Crevasse
 
 
 
-  std::vector<RelativeTipErrors>
-  relative_tip_errors(
+  std::vector<MeshErrors>
+  mesh_errors_of_tips(
     const Scene                                                &scene,
     const Body<2>                                              &body,
     ContactSystemCache<2>                                      &systems,
@@ -253,8 +236,8 @@ namespace Crevasse
                            body.loads,
                            systems);
     evolution.slide_with(body.friction);
-    std::vector<RelativeTipErrors> errors(tips.size());
-    std::vector<double>            sizes(tips.size());
+    std::vector<MeshErrors> errors(tips.size());
+    std::vector<double>     sizes(tips.size());
     for (const double t : instants_of_extreme_loads(body, steps))
       {
         evolution.elastic_state(t);
@@ -287,16 +270,9 @@ namespace Crevasse
     for (unsigned int i = 0; i < tips.size(); ++i)
       {
         const StressIntensity &intensity = tips[i]->intensity;
-        const auto             finish    = [size = sizes[i]](double      &error,
-                                              const double least) {
-          error = std::max(size > 0. ? error / size : 0., least);
-        };
         for (double &error : errors[i].of_intensity)
-          {
-            finish(error, intensity.error_of_known_fields());
-            error = std::min(error, 1.); // K is unknown then
-          }
-        finish(errors[i].of_T, intensity.t_stress_error_of_known_fields());
+          error = std::max(sizes[i] > 0. ? error / sizes[i] : 0.,
+                           intensity.error_of_known_fields());
       }
     return errors;
   }

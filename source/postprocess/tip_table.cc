@@ -64,17 +64,17 @@ namespace Crevasse
 
 
 
-  TipTable::TipTable(const CrackTipAnalysis  &analysis,
-                     const RelativeTipErrors &relative_errors,
-                     const TipContext        &context,
-                     CsvTable               &&table)
+  TipTable::TipTable(const CrackTipAnalysis &analysis,
+                     const MeshErrors       &mesh_errors,
+                     const TipContext       &context,
+                     CsvTable              &&table)
     : analysis(analysis)
     , context(context)
     , place(analysis.intensity.region.tip)
     , title("  crack tip" +
             (place.two_lips ? ' ' + Text::from_point(place.position) : "") +
             ": ")
-    , relative_errors(relative_errors)
+    , mesh_errors(mesh_errors)
     , table(std::move(table))
   {
   }
@@ -119,7 +119,9 @@ namespace Crevasse
     values.contact_zone = estimate.contact_zone;
     values.t_stress     = estimate.t_stress;
     values.t_stress_error =
-      std::max(estimate.t_stress_error, relative_errors.of_T * size);
+      std::max({estimate.t_stress_error,
+                mesh_errors.of_T,
+                analysis.intensity.t_stress_error_of_known_fields() * size});
     if (analysis.has_temperature)
       values.temperature = analysis.temperature(t);
     for (unsigned int mode = 0; mode < (place.two_lips ? 2 : 1); ++mode)
@@ -129,7 +131,7 @@ namespace Crevasse
         values.error[mode] =
           K[mode] == 0. ? 0.
                         : std::max(estimate.error[mode],
-                                   relative_errors.of_intensity[mode] * size);
+                                   mesh_errors.of_intensity[mode] * size);
         values.of_singular_functions[mode] =
           analysis.of_singular_function(CrackMode(mode),
                                         sample.state.displacement,

@@ -131,7 +131,7 @@ namespace Crevasse
       void
       add_tips(LipClosure<2> *closure)
       {
-        const std::vector<RelativeTipErrors> errors = relative_tip_errors(
+        const std::vector<MeshErrors> errors = mesh_errors_of_tips(
           run.scene, body, run.systems, run.steps, run.crack_tips);
         unsigned int n_two_lips = 0;
         for (unsigned int i = 0; i < run.crack_tips.size(); ++i)

@@ -113,6 +113,14 @@ namespace Crevasse
     factor_of_stress(const MaterialState<2> &material,
                      const TipElasticity    &at_tip) const;
 
+    /** Factors of the normal forces of the lip's local nodes in K_I of an
+     * elastic body with straight lips. */
+    std::vector<double>
+    factors_of_forces() const
+    {
+      return of_contact_forces.factors(body.lip.nodes.size());
+    }
+
     /** K = ∫ s:N dA + ∫_lip … for a homogeneous body without free strain or
      * body force in the square: elastic, or viscous with the stress of a flow.
      * Collective. */

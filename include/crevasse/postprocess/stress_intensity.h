@@ -69,11 +69,17 @@ namespace Crevasse
                      const MaterialState<2> &material,
                      const TipElasticity    &at_tip) const
     {
-      const auto of_mode =
-        std::find_if(integrals.begin(),
-                     integrals.end(),
-                     [mode](const auto &one) { return one.first == mode; });
-      return of_mode->second.first.factor_of_stress(material, at_tip);
+      return integral_of(mode).factor_of_stress(material, at_tip);
+    }
+
+    /** The integral over the larger square for one of the modes(). */
+    const InteractionIntegral &
+    integral_of(const CrackMode mode) const
+    {
+      return std::find_if(integrals.begin(),
+                          integrals.end(),
+                          [mode](const auto &one) { return one.first == mode; })
+        ->second.first;
     }
 
     /** The modes that are computed. */

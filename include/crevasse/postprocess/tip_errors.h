@@ -8,11 +8,13 @@
 
 namespace Crevasse
 {
-  /** Errors at a tip by the mesh, relative to √(K_I² + K_II²). */
-  struct RelativeTipErrors
+  /** Errors at a tip by the mesh. */
+  struct MeshErrors
   {
-    std::array<double, 2> of_intensity{}; ///< of K_I and K_II
-    double                of_T = 0.;      ///< in 1/√length
+    /** Errors of K_I and K_II, relative to √(K_I² + K_II²). */
+    std::array<double, 2> of_intensity{};
+    /** Error of T at the extreme loads; closed tips have a T without K. */
+    double of_T = 0.;
   };
 
   /**
@@ -26,8 +28,8 @@ namespace Crevasse
    * 2001). Each cell counts with the product of what StressEstimator finds of
    * both.
    */
-  std::vector<RelativeTipErrors>
-  relative_tip_errors(
+  std::vector<MeshErrors>
+  mesh_errors_of_tips(
     const Scene                                                &scene,
     const Body<2>                                              &body,
     ContactSystemCache<2>                                      &systems,

@@ -52,7 +52,7 @@ namespace Crevasse
    * K_I_singular and K_II_singular are the coefficients of the singular
    * functions of an elastic body. The errors are those of
    * StressIntensity::Estimate or, if larger, √(K_I² + K_II²) times the
-   * RelativeTipErrors; that of K_I up to four times this if integral and fit
+   * MeshErrors; that of K_I up to four times this if integral and fit
    * differ by more. They are not bounds.
    */
   class TipTable : public PeriodObserver
@@ -60,12 +60,12 @@ namespace Crevasse
   public:
     /** References must outlive the TipTable. Collective.
      *
-     * @param relative_errors of the tip.
+     * @param mesh_errors of the tip.
      * @param table with the columns(). */
-    TipTable(const CrackTipAnalysis  &analysis,
-             const RelativeTipErrors &relative_errors,
-             const TipContext        &context,
-             CsvTable               &&table);
+    TipTable(const CrackTipAnalysis &analysis,
+             const MeshErrors       &mesh_errors,
+             const TipContext       &context,
+             CsvTable              &&table);
 
     static std::vector<std::string>
     columns(const CrackTipAnalysis &analysis);
@@ -243,7 +243,7 @@ namespace Crevasse
     const TipContext        context;
     const CrackTip         &place;
     const std::string       title; ///< beginning of lines in the log
-    const RelativeTipErrors relative_errors;
+    const MeshErrors        mesh_errors;
     CsvTable                table;
     std::vector<TipValues>  of_last_period;
   };
