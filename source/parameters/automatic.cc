@@ -136,8 +136,8 @@ namespace Crevasse
   unsigned int
   automatic_cycles(const Scene &scene)
   {
+    // As of singular functions, the cells of the scene do not decide.
     const bool is_chosen =
-      !scene.geometry.subdivisions->empty() || scene.geometry.refinements > 0 ||
       scene.refinement.strategy != RefinementStrategy::none ||
       scene.discretisation.singular_functions !=
         SingularFunctionNumber::automatic;
@@ -146,7 +146,7 @@ namespace Crevasse
       return 0;
     const BoundaryRoles roles =
       resolve_roles(scene.boundary, built_in_roles(scene.geometry));
-    constexpr unsigned int enough = 6; // leaves some 0.1 % of K
+    constexpr unsigned int enough = 6; // K to 1 %, mostly 0.1 %
     return reason_against_tip(scene, roles).empty() &&
                stress_intensity_effect(scene, roles).on &&
                singular_functions(scene).n == 0

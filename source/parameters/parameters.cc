@@ -102,9 +102,7 @@ namespace Crevasse
       "refinement. If equal cells put no vertex at the crack tip, crack and "
       "ligament are divided separately. \"automatic\": squares with sides of "
       "1/7 (in three dimensions 1/4) of the shortest of crack, ligament and "
-      "height, but at most 64 (24) cells in a direction; where K is computed "
-      "in the plane and automatic Singular functions are 0, those at the crack "
-      "tip are halved six times. Allowed: automatic, "
+      "height, but at most 64 (24) cells in a direction. Allowed: automatic, "
       "or as many integers of at least 1 as dimensions, separated by commas",
       prm);
     prm.add_parameter(

@@ -40,7 +40,7 @@ namespace Crevasse
     {
       scene.geometry.refinements = 0;
       scene.refinement.strategy  = RefinementStrategy::none;
-      // The automatic mesh depends on them.
+      // Without automatic ones there is no automatic grading of the mesh.
       scene.discretisation.singular_functions = SingularFunctionNumber::none;
       return make_scene_mesh<dim>(scene, communicator);
     }

@@ -173,7 +173,9 @@ namespace Crevasse
     static constexpr const char *meaning =
       "Strategy of mesh refinement after [Geometry] Refinements: \"tip\" "
       "repeatedly divides the cells at the crack tip, \"adaptive\" divides the "
-      "cells with the largest estimated error.";
+      "cells with the largest estimated error. With \"none\", cells at the tip "
+      "of a built-in crack are halved six times where K is computed in the "
+      "plane and automatic Singular functions are 0.";
   };
 
   enum class Marking
