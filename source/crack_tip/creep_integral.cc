@@ -249,7 +249,7 @@ namespace Crevasse
     const FrontFrame  &frame  = place.frame;
     const double       metric = frame.metric();
     const Tensor<1, 3> flux   = frame.ahead * state.P;
-    // A front that grows in length as it moves ahead.
+    // Work of P on the front's change of length as it moves ahead.
     const double growth =
       frame.curvature / metric * (frame.tangent * state.P * frame.tangent);
     for (const unsigned int k : {0, 1})

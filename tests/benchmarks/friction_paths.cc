@@ -395,6 +395,7 @@ main(int argc, char **argv)
     iterations.most,
     iterations.limited);
   const bool good = all.lost == 0 && 100 * all.rays <= all.by_lemke &&
-                    of_100.mean_warm() <= 3.5 && iterations.most <= 15;
+                    of_100.mean_warm() <= 3.5 &&
+                    10 * iterations.limited <= iterations.solves;
   return good ? 0 : 1;
 }

@@ -376,8 +376,7 @@ end
         if name == "closing":
             check_below(errors["true"][-1], 1e-4, "closing: error of K")
         else:
-            check(order["true"] >= (1.5 if name == "uniform" else 1.7),
-                  f"{name}: order {order}")
+            check(order["true"] >= 1.7, f"{name}: order {order}")
 
 
 def test_rigid_plane():

@@ -50,7 +50,8 @@ namespace Crevasse
     /** Values of C over the larger square and a square of half its size. */
     using Values = std::array<double, 2>;
 
-    /** Collective. The arguments must outlive the CreepIntegral.
+    /** Collective. Copies the region; the other arguments must outlive the
+     * CreepIntegral.
      * @throw SceneError if the cells at the tip or front have different
      * materials, or [Crack tip] Radius does not suit them. */
     CreepIntegral(const Scene               &scene,
