@@ -3,7 +3,7 @@ no radius, no method and no mesh: the cases of doc/crack_tip.md."""
 
 import sys
 
-from crevasse_run import SOURCE, check, check_below, check_close, full
+from crevasse_run import SOURCE, check, check_below, check_close, full, run
 
 sys.path.append(str(SOURCE / "tests/benchmarks"))
 import crack_tip_cases as cases  # noqa: E402: where it is, is known now
@@ -27,6 +27,40 @@ def test_half_closed():
     error, printed = cases.errors(cases.own_and_true(name, with_truth(name))[1])
     print(f"{name}: error {error:.2g}, printed {printed:.2g}")
     check(0.25 <= printed / error <= 10, "printed error of a crack half closed")
+
+
+def test_units_of_a_ring():
+    """A ring whose lips are half closed by bending has the same relative error in any unit
+    of length."""
+    parts = []
+    for n, size in enumerate((1., 1e3)):
+        results = run(f"""
+subsection Geometry
+  set Width        = {size}
+  set Height       = {size}
+  set Crack length = {0.5 * size}
+  set Subdivisions = 12, 12
+end
+subsection Material
+  set Plane state   = axisymmetric
+  set Young modulus = 13000
+  set Viscosity     = none
+end
+subsection Loads
+  set Period   = 1
+  set Traction = 0; 13 - 20*x/{size}
+end
+subsection Time integration
+  set Steps per period = 1
+end
+subsection Crack tip
+  set Stress intensity = true
+end
+""", f"ring_{n}")
+        tip = results.summary["crack_tip"]
+        parts.append(tip["K_I_error"] / tip["K_I"]["largest"])
+    print(f"error of K relative to K: {parts}")
+    check_close(parts[1] / parts[0], 1, 1e-6, "in other units")
 
 
 def users(names):
@@ -77,6 +111,7 @@ def test_printed_errors():
 
 
 test_half_closed()
+test_units_of_a_ring()
 test_user()
 test_more_users()
 test_printed_errors()
