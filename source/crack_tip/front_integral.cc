@@ -239,15 +239,10 @@ namespace Crevasse
                         const Sample           &sample,
                         const MaterialState<3> &material) const
   {
-    const auto         &vertices = region.vertices;
-    std::vector<double> K(vertices.size());
+    std::vector<double> K = sums_of(sample.state.stress);
     for (const Kernel &kernel : kernels)
       {
         double &sum = K[kernel.vertex];
-        sum += kernel.of_stress *
-               QuadratureField<3>::get(sample.state.stress,
-                                       kernel.point *
-                                         QuadratureField<3>::n_components);
         if (material.thermal_strain != nullptr)
           sum -= material.stiffness_factor *
                  (kernel.of_strain * (*material.thermal_strain)[kernel.point]);
@@ -258,9 +253,33 @@ namespace Crevasse
       K[place.vertex] -=
         place.of_force *
         surface_force<3>(loads, place.id, place.point, place.normal, t);
-    const ContactForces &forces = sample.state.contact_forces;
-    const std::size_t    n      = K.size();
-    std::vector<double>  sums(4 * n); // K, and LipForces::Sums
+    return at_vertices(K, sample.state.contact_forces);
+  }
+
+
+
+  std::vector<double>
+  FrontIntegral::sums_of(const Vector &stress) const
+  {
+    std::vector<double> K(region.vertices.size());
+    for (const Kernel &kernel : kernels)
+      K[kernel.vertex] +=
+        kernel.of_stress *
+        QuadratureField<3>::get(stress,
+                                kernel.point *
+                                  QuadratureField<3>::n_components);
+    return K;
+  }
+
+
+
+  std::vector<double>
+  FrontIntegral::at_vertices(std::vector<double>  K,
+                             const ContactForces &forces) const
+  {
+    const auto         &vertices = region.vertices;
+    const std::size_t   n        = K.size();
+    std::vector<double> sums(4 * n); // K, and LipForces::Sums
     std::copy(K.begin(), K.end(), sums.begin());
     for (const auto &[vertex, component, of_forces] : of_contact_forces)
       {

@@ -21,13 +21,15 @@ namespace Crevasse
 
 
 
-  CrackFrontAnalysis::CrackFrontAnalysis(const Scene    &scene,
-                                         const Body<3>  &body,
-                                         const StepList &steps)
+  CrackFrontAnalysis::CrackFrontAnalysis(const Scene        &scene,
+                                         const Body<3>      &body,
+                                         const SecularSplit &split,
+                                         const StepList     &steps)
     : body(body)
     , region(body.space, setting)
     , radius(region.tube(scene.crack_tip.radius, region.largest_radius()))
     , elasticity(find_elasticity())
+    , creep(body, split)
   {
     require_no_force_at_front(scene, body, region, steps, setting);
     const auto &vertices = region.vertices;
@@ -212,6 +214,37 @@ namespace Crevasse
             all[v].release_rate += K[v] * K[v] / modulus;
           }
       }
+    return all;
+  }
+
+
+
+  std::vector<CrackFrontAnalysis::Value>
+  CrackFrontAnalysis::c_star(const std::optional<SecularFlow> &flow) const
+  {
+    if (creep.mean_load_vanishes)
+      return std::vector<Value>(region.vertices.size());
+    if (!creep.no_c_star.empty() || !flow)
+      return {};
+    const Vector stress = creep.stress(*flow);
+    // require_compatible_creep() has made sure that this is a time.
+    const double time = 2. * creep.factor() *
+                        (*uniform_in_tube(creep.viscosity->sum))[3][3] /
+                        elasticity.modulus(CrackMode::tearing);
+    std::vector<Value> all(region.vertices.size());
+    for (const auto &[large, small] : integrals)
+      {
+        const auto   K       = large.values(stress, flow->contact_forces);
+        const auto   check   = small.values(stress, flow->contact_forces);
+        const double modulus = time * elasticity.modulus(large.fields.mode);
+        for (std::size_t v = 0; v < K.size(); ++v)
+          {
+            all[v].value += K[v] * K[v] / modulus;
+            all[v].error += (K[v] * K[v] - check[v] * check[v]) / modulus;
+          }
+      }
+    for (Value &value : all)
+      value.error = std::abs(value.error);
     return all;
   }
 

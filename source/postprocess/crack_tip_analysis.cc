@@ -26,14 +26,15 @@ namespace Crevasse
     , has_singular_functions(body.space.singular_shapes() != nullptr &&
                              !body.effects.viscosity.on &&
                              !body.material.stiffness_varies)
-    , mean_load_vanishes(split.mean_load.size() > 0 && !split.effect.on)
+    , creep(body, split)
   {
-    no_c_star = find_viscous_region(split);
-    if (needs_c_star(scene.crack_tip) && !no_c_star.empty() &&
-        !mean_load_vanishes)
+    if (creep.no_c_star.empty())
+      find_viscous_region();
+    if (needs_c_star(scene.crack_tip) && !creep.no_c_star.empty() &&
+        !creep.mean_load_vanishes)
       throw SceneError(
         "[Crack tip] Creep growth parameter = C star: there is no C*: " +
-        no_c_star + ". Set Creep growth parameter = stress intensity.");
+        creep.no_c_star + ". Set Creep growth parameter = stress intensity.");
     require_no_force_at_tip(scene, body, intensity.region, steps);
     require_growth_constants(scene.crack_tip,
                              body.temperature,
@@ -43,25 +44,16 @@ namespace Crevasse
 
 
 
-  std::string
-  CrackTipAnalysis::find_viscous_region(const SecularSplit &split)
+  void
+  CrackTipAnalysis::find_viscous_region()
   {
-    if (!split.effect.on)
-      return split.effect.why;
-    if (const auto force = Effects::first_on(body.effects.volume_forces))
-      return "the integral does not include the " + force->name;
-    if (body.space.roles.has_loaded_lip())
-      return "the integral does not include loads on the lip";
-    if (body.effects.varying_viscosity.on)
-      return "the viscosity varies in time";
-    const MaterialState<2> material = body.material.at(0.);
-    viscosity.emplace(body, material);
-    viscous_region = intensity.region.uniform(intensity.points, viscosity->sum);
-    return viscous_region->radius > 0. &&
-               PlaneElasticity::is_isotropic(viscous_region->matrix)
-             ? ""
-             : "the viscosity is anisotropic, or not the same in all cells at "
-               "the crack tip";
+    viscous_region =
+      intensity.region.uniform(intensity.points, creep.viscosity->sum);
+    if (viscous_region->radius <= 0. ||
+        !PlaneElasticity::is_isotropic(viscous_region->matrix))
+      creep.no_c_star =
+        "the viscosity is anisotropic, or not the same in all cells at the "
+        "crack tip";
   }
 
 
@@ -136,25 +128,11 @@ namespace Crevasse
   std::optional<double>
   CrackTipAnalysis::c_star(const std::optional<SecularFlow> &flow) const
   {
-    if (mean_load_vanishes)
+    if (creep.mean_load_vanishes)
       return 0.;
-    if (!no_c_star.empty() || !flow)
+    if (!creep.no_c_star.empty() || !flow)
       return {};
-    const double factor = body.law.viscosity_factor(0.);
-    Vector       stress;
-    body.points.initialize(stress);
-    for (std::size_t p = 0; p < body.points.n_local_points; ++p)
-      {
-        const std::size_t offset = p * QuadratureField<2>::n_components;
-        // The rates of all branches are those of the body in the plane.
-        QuadratureField<2>::set(
-          stress,
-          offset,
-          factor *
-            (viscosity->sum[p] *
-             QuadratureField<2>::get(flow->strain_rate,
-                                     offset * body.law.branches.size())));
-      }
+    const Vector          stress = creep.stress(*flow);
     const PlaneElasticity viscous(viscous_region->matrix);
     const double size = intensity.region.aligned_radius(viscous_region->radius);
     double       c_star = 0.;
@@ -173,7 +151,7 @@ namespace Crevasse
                                  body.space.roles.has_axis ? viscous.kappa()
                                                            : 0.})
               .of_uniform_body(stress, flow->contact_forces, viscous.kappa());
-          c_star += K * K / (factor * viscous.modulus());
+          c_star += K * K / (creep.factor() * viscous.modulus());
         }
     return c_star;
   }
@@ -241,7 +219,7 @@ namespace Crevasse
     tip["C_star"] = history.c_star ? Summary(*history.c_star) : Summary();
     if (!history.c_star)
       tip["no_C_star"] =
-        no_c_star.empty() ? "the flow was not found" : no_c_star;
+        creep.no_c_star.empty() ? "the flow was not found" : creep.no_c_star;
     if (history.c_star && *history.c_star > 0.)
       log.line(title + "C* = " + Text::from_number(*history.c_star, 5));
     Crevasse::summarise_growth(scene.crack_tip, history, title, tip, log);

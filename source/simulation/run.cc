@@ -131,8 +131,10 @@ namespace Crevasse
     else
       {
         if (stress_intensity.on)
-          crack_front =
-            std::make_unique<const CrackFrontAnalysis>(scene, body, steps);
+          crack_front = std::make_unique<const CrackFrontAnalysis>(scene,
+                                                                   body,
+                                                                   split,
+                                                                   steps);
         if (scene.crack_tip.creep_integral)
           {
             add_creep(FrontRegion(body.space, creep));

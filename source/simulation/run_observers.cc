@@ -182,8 +182,11 @@ namespace Crevasse
       void
       add_front()
       {
-        front = add(std::make_unique<CrackFrontTable>(
-          *run.crack_front, run.steps, path("crack_front.csv"), run.log));
+        front = add(std::make_unique<CrackFrontTable>(*run.crack_front,
+                                                      run.steps,
+                                                      run.flow,
+                                                      path("crack_front.csv"),
+                                                      run.log));
       }
 
       void

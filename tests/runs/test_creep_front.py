@@ -7,7 +7,7 @@ import sys
 
 from cracked import (BACK, BOTTOM, CRACK, FRONT, STEADY_CREEP, TOP, steps, write_block)
 from crevasse_run import (SOURCE, check, check_below, check_close, execute, full,
-                          overrides, plain, run, run_on)
+                          overrides, plain, run, run_on, tier)
 from fronts import penny_mesh
 
 from crevasse import run_page
@@ -126,10 +126,10 @@ def potential(results, n):
     return 2 / (n + 1) * (work[-1] - work[-2]) / (t[-1] - t[-2])
 
 
-def mean_along(results):
+def mean_along(results, column="C_t"):
     """Integral of C along the front at the end, by the trapezoidal rule."""
     table = results.table("crack_front.csv")
-    C = along_front(results)[table["t"][-1]]
+    C = along_front(results, column)[table["t"][-1]]
     s = table["s"][-len(C):]
     return sum((b - a) * (p + q) / 2 for a, b, p, q in zip(s, s[1:], C, C[1:]))
 
@@ -181,6 +181,92 @@ def test_invariance():
         here.values()), 1e-9, "in other units")
 
 
+TAU = 5.
+# A Maxwell body, whose stress stays elastic, so that it flows at once.
+MAXWELL = ["Material/Viscosity=relaxation time", f"Material/Relaxation time={TAU}",
+           "Time integration/Step control=uniform", "Time integration/Steps per period=4",
+           "Periodic state/Method=march", "Crack tip/Creep integral=false",
+           "Crack tip/Stress intensity=true"]
+
+
+def c_star_along(results):
+    """C* at the vertices, which is energy_release_rate over the relaxation time."""
+    C, G = ([*along_front(results, column).values()][-1]
+            for column in ("C_star", "energy_release_rate"))
+    check_below(max(abs(c * TAU / g - 1) for c, g in zip(C, G, strict=True)), 1e-9,
+                "C* = G/tau")
+    return C
+
+
+def test_c_star_of_slab():
+    """C* of linear creep is that of the plane with the same cells; nothing flows
+    without a mean load."""
+    settings = [*MAXWELL, "Crack tip/Radius=0.5"]
+    plane = run(PLANE, "linear_plane", settings).summary["crack_tip"]["C_star"]
+    slab = run(SLAB, "linear_slab", settings)
+    C = c_star_along(slab)
+    front = slab.summary["crack_front"]
+    print("C*:", C, "in the plane:", plane, "in the summary:", front["C_star"])
+    check_below(max(abs(value / plane - 1) for value in C), 3e-4, "C* of a slab")
+    for end, value in (("largest", max(C)), ("smallest", min(C))):
+        check(front["C_star"][end]["value"] == value, f"{end} in the summary")
+    check_below(front["C_star_error"] / plane, 1e-2, "its estimated error")
+    page, _, _, damages = run_page.page(slab.directory)
+    check("largest C*" in page and not damages, f"C* in the report: {damages}")
+    settings += ["Geometry/Subdivisions=8, 4, 1", "Discretisation/Degree=1"]
+    half_closed = ["Loads/Traction=0; 13 - 20*x"]
+    plane = run(PLANE, "linear_half_closed_plane", [
+        *settings, *half_closed, "Geometry/Subdivisions=8, 4"]).summary["crack_tip"]["C_star"]
+    C = c_star_along(run(SLAB, "linear_half_closed", [*settings, half_closed[0] + "; 0"]))
+    print("half closed: C*:", C, "in the plane:", plane)
+    check_below(max(abs(value / plane - 1) for value in C), 1e-2, "C* of a lip half closed")
+    swings = run(SLAB, "linear_swings", [*settings, "Loads/Traction=0; sin(pi*t/2); 0"])
+    check(swings.summary["crack_front"]["C_star"]["largest"]["value"] == 0.,
+          "no C* without a mean load")
+    refused = [("factor", ["Material/Viscosity time factor=1 + 0.5*sin(pi*t/2)"],
+                "varies in time"),
+               ("force", ["Loads/Body force=0; 1; 0"], "body force"),
+               ("elastic", ["Material/Viscosity=none"], "viscosity")]
+    for name, more, words in tier(refused[:1], refused):
+        results = run(SLAB, f"linear_{name}", [*settings, *more])
+        front = results.summary["crack_front"]
+        check(front["C_star"] is None and words in front["no_C_star"],
+              f"no C*: {front['no_C_star']}")
+        check("C_star" not in results.table("crack_front.csv"), "no column")
+
+
+@full
+def test_c_star_of_crack_lengths():
+    """The integral of C* along a front in plane strain, and along one that ends at a free
+    face, by the power; turned, on two processes, in other units, and of a viscosity with
+    a factor of time."""
+    depth = [0.5 - x for x in graded(0.02, 1.6, 0.5)[::-1]]
+    settings = [*MAXWELL, "Crack tip/Radius=0.49"]
+    for more, bound in (((), 3e-3), ((depth, True), 6e-3)):
+        shorter, here, longer = (
+            run(slab(f"linear_{a}", a, *more), f"linear_{a}", settings)
+            for a in (0.495, 0.5, 0.505))
+        C = c_star_along(here)
+        expected = (potential(longer, 1) - potential(shorter, 1)) / 0.01
+        print("C* along the front:", C)
+        check_close(mean_along(here, "C_star") / expected, 1, bound,
+                    "C* over that of the power")
+    check(min(C) < 0.9 * max(C), "C* varies along the front")
+    turned = c_star_along(run(slab("turned", 0.5, depth, True,
+                                   lambda x, y, z: (z, y, -x)), "turned", settings))
+    others = {
+        "turned": turned[::-1] if (turned[0] > turned[-1]) != (C[0] > C[-1]) else turned,
+        "on two processes": c_star_along(run_on(2, "linear_0.5.prm", "two", settings)),
+        "in other units": [1e-6 * c for c in c_star_along(run(
+            slab("units", 0.5, depth, True), "units", [
+                *settings, "Loads/Traction=0; 1e6; 0", "Material/Young modulus=1e9"]))],
+        "with a factor of time": c_star_along(run(slab("factor", 0.5, depth, True), "factor", [
+            *settings, f"Material/Relaxation time={TAU / 4}",
+            "Material/Viscosity time factor=4"]))}
+    for name, values in others.items():
+        check_below(max(abs(a / b - 1) for a, b in zip(values, C, strict=True)), 1e-9, name)
+
+
 LONG = ["Loads/Period=40", "Time integration/Steps=0.1, 0.3, 1, 2, 4, 8, 14, 20, 26, 32, "
         "36, 38", "Crack tip/Radius=0.9"]
 
@@ -210,6 +296,15 @@ def test_penny():
                     f"C(t) of the penny-shaped crack over that of the ring, n = {n}")
         exact = 6 / math.pi * A * penny.RADIUS / math.sqrt(1 + 3 / n)
         check_close(C[40.][0] / exact, 1, 0.05, f"C* of He and Hutchinson, n = {n}")
+    # K at a vertex sees how long the elements of the front are.
+    expected = run(ring, "linear_ring", MAXWELL).summary["crack_tip"]["C_star"]
+    C = c_star_along(run(space, "linear_penny", [penny_mesh("penny.msh", "8", "0.1"),
+                                                 *MAXWELL]))
+    print("C*:", C, "of the ring:", expected)
+    check_below(max(abs(value / expected - 1) for value in C), 5e-3,
+                "C* of the penny-shaped crack over that of the ring")
+    exact = 4 / math.pi * penny.RADIUS * (1 - 0.3**2) / 1000 / TAU
+    check_close(expected / exact, 1, 0.01, "C* of the infinite body")
 
 
 @full
@@ -228,7 +323,7 @@ def test_what_varies():
 @full
 def test_two_lips():
     """A slab modelled on both sides of the crack, as the plane is."""
-    axes = [steps(-1, 1, 8), steps(-1, 1, 8), [0., 0.5]]
+    axes = [steps(-1, 1, 8), steps(-1, 1, 8), [0., 0.25, 0.5]]
     results = {}
     for dimension, name, more, fixed in (
             (2, "plane", "", "1, -1: 1, 2; 1, 1: 1"),
@@ -243,8 +338,16 @@ def test_two_lips():
             scene = scene.replace("set Young", "set Plane state = plane strain\n  set Young")
         results[name] = run(scene, name, ["Crack tip/Radius=0.5"])
     C = results["plane"].table("creep_integral_1.csv")["C_t"]
-    check_below(worst_difference(along_front(results["space"]), [[c, c] for c in C]), 1e-6,
+    check_below(worst_difference(along_front(results["space"]), [3 * [c] for c in C]), 1e-6,
                 "C(t) of both lips over that of the plane")
+    sheared, side = [*MAXWELL, "Crack tip/Radius=0.5"], "if(y > 0, 1, -1)"
+    C = c_star_along(run("space.prm", "sheared_space", [
+        *sheared, f"Loads/Traction={side}; {side}; 0"]))
+    plane = run("plane.prm", "sheared_plane", [
+        *sheared, f"Loads/Traction={side}; {side}"]).summary["crack_tips"][0]
+    print("C*:", C, "in the plane:", plane)
+    check_below(max(abs(c / plane["C_star"] - 1) for c in C), 3e-3,
+                "C* of both modes over that of the plane")
 
 
 REFUSED = [
@@ -278,7 +381,9 @@ def test_refusals():
 
 if __name__ == "__main__":
     test_slab()
+    test_c_star_of_slab()
     test_refusals()
+    test_c_star_of_crack_lengths()
     test_energies_of_crack_lengths()
     test_invariance()
     test_penny()

@@ -64,6 +64,15 @@ namespace Crevasse
            const Sample           &sample,
            const MaterialState<3> &material) const;
 
+    /** K at the vertices of the front of a stress and the contact forces of a
+     * body without free strain, and without other loads in the tube.
+     * Collective. */
+    std::vector<double>
+    values(const Vector &stress, const ContactForces &contact_forces) const
+    {
+      return at_vertices(sums_of(stress), contact_forces);
+    }
+
     const FrontFields fields;
 
   private:
@@ -74,6 +83,15 @@ namespace Crevasse
       std::size_t      point  = 0;
       dealii::Point<3> location;
     };
+
+    /** Shares of this rank in the integrals ∫ K h ds of a stress, by vertex. */
+    std::vector<double>
+    sums_of(const Vector &stress) const;
+
+    /** K of the shares of all ranks and of contact forces. Collective. */
+    std::vector<double>
+    at_vertices(std::vector<double>  K,
+                const ContactForces &contact_forces) const;
 
     void
     integrate_over_cells();

@@ -5,6 +5,7 @@
 #define crevasse_postprocess_crack_front_analysis_h
 
 #include <crevasse/crack_tip/front_integral.h>
+#include <crevasse/secular/steady_creep.h>
 #include <crevasse/time/step_list.h>
 
 #include <optional>
@@ -12,15 +13,16 @@
 namespace Crevasse
 {
   /** Computes K_I along the crack fronts of a run in space, and K_II and K_III
-   * for cracks with two lips. */
+   * for cracks with two lips; C* of its secular flow. */
   class CrackFrontAnalysis
   {
   public:
     /** Checks that the fronts have a K, before the run. Collective. The
      * arguments must outlive the CrackFrontAnalysis. @throw SceneError */
-    CrackFrontAnalysis(const Scene    &scene,
-                       const Body<3>  &body,
-                       const StepList &steps);
+    CrackFrontAnalysis(const Scene        &scene,
+                       const Body<3>      &body,
+                       const SecularSplit &split,
+                       const StepList     &steps);
 
     /** Describes the method in one line for the log. */
     std::string
@@ -38,6 +40,18 @@ namespace Crevasse
     std::vector<Estimate>
     evaluate(const double t, const Sample &sample) const;
 
+    /** A value at a vertex; the error is that of two sizes of the tube. */
+    struct Value
+    {
+      double value, error;
+    };
+
+    /** C* at all vertices, the energy release rate of the flow with the
+     * viscosity as stiffness, to which it is proportional where K is known.
+     * None if there is no C*. Collective. */
+    std::vector<Value>
+    c_star(const std::optional<SecularFlow> &flow) const;
+
     /** Names of the computed modes: "K_I", … */
     std::vector<std::string>
     names() const
@@ -51,6 +65,7 @@ namespace Crevasse
     const FrontRegion     region;
     const double          radius;
     const FrontElasticity elasticity;
+    const SteadyCreep<3>  creep;
 
   private:
     FrontElasticity

@@ -17,19 +17,22 @@
 namespace Crevasse
 {
   /** crack_front.csv: K_I, with two lips also K_II and K_III, at the vertices
-   * of the front at each step of the last period, written when the run ends.
-   * Errors are differences between two sizes of the tube, not bounds. */
+   * of the front at each step of the last period, and C* if there is one,
+   * written when the run ends. Errors are differences between two sizes of the
+   * tube, not bounds. */
   class CrackFrontTable : public PeriodObserver
   {
   public:
     /** References must outlive the CrackFrontTable.
      * @param file_name empty on ranks that do not write. */
-    CrackFrontTable(const CrackFrontAnalysis &analysis,
-                    const StepList           &steps,
-                    const std::string        &file_name,
-                    Log                      &log)
+    CrackFrontTable(const CrackFrontAnalysis         &analysis,
+                    const StepList                   &steps,
+                    const std::optional<SecularFlow> &flow,
+                    const std::string                &file_name,
+                    Log                              &log)
       : analysis(analysis)
       , steps(steps)
+      , flow(flow)
       , file_name(file_name)
       , log(log)
     {
@@ -78,7 +81,8 @@ namespace Crevasse
     {
       if (values.empty())
         return;
-      write();
+      const auto c_star = analysis.c_star(flow);
+      write(c_star);
       auto &front       = summary["crack_front"];
       front["radius"]   = analysis.radius;
       front["vertices"] = n_vertices();
@@ -100,10 +104,12 @@ namespace Crevasse
                                 error) +
                    Text::from_point(vertex(largest.vertex).point));
         }
+      summarise(c_star, front);
     }
 
   private:
     using Values = std::vector<CrackFrontAnalysis::Estimate>;
+    using CStar  = std::vector<CrackFrontAnalysis::Value>;
 
     /** Extreme of K at a vertex. */
     struct Extreme : SeriesExtremes::Extreme
@@ -163,17 +169,58 @@ namespace Crevasse
     }
 
     Summary
-    place(const Extreme &extreme) const
+    place(const double value, const std::size_t v) const
     {
-      const auto &point = vertex(extreme.vertex).point;
-      return {{"value", extreme.value},
-              {"t", extreme.instant},
-              {"s", vertex(extreme.vertex).s},
+      const auto &point = vertex(v).point;
+      return {{"value", value},
+              {"s", vertex(v).s},
               {"position", {point[0], point[1], point[2]}}};
     }
 
+    Summary
+    place(const Extreme &extreme) const
+    {
+      Summary summary = place(extreme.value, extreme.vertex);
+      summary["t"]    = extreme.instant;
+      return summary;
+    }
+
+    /** Adds C* to the summary of the front and to the log. */
     void
-    write() const
+    summarise(const CStar &c_star, Summary &front) const
+    {
+      front["C_star"] = Summary();
+      if (c_star.empty())
+        {
+          const std::string &why = analysis.creep.no_c_star;
+          front["no_C_star"]     = why.empty() ? "the flow was not found" : why;
+          return;
+        }
+      const auto [smallest, largest] =
+        std::minmax_element(c_star.begin(),
+                            c_star.end(),
+                            [](const auto &a, const auto &b) {
+                              return a.value < b.value;
+                            });
+      double error = 0.;
+      for (const auto &at_vertex : c_star)
+        error = std::max(error, at_vertex.error);
+      const std::size_t v        = largest - c_star.begin();
+      front["C_star"]["largest"] = place(largest->value, v);
+      front["C_star"]["smallest"] =
+        place(smallest->value, smallest - c_star.begin());
+      front["C_star_error"] = error;
+      if (largest->value > 0.)
+        log.line(Text::format("  crack front: C* from %.6g to %.6g, estimated "
+                              "error %.1e; largest at ",
+                              smallest->value,
+                              largest->value,
+                              error) +
+                 Text::from_point(vertex(v).point));
+    }
+
+    void
+    write(const CStar &c_star) const
     {
       std::vector<std::string> columns = {"t", "front", "s", "x", "y", "z"};
       const auto               names   = analysis.names();
@@ -181,6 +228,8 @@ namespace Crevasse
       columns.emplace_back("energy_release_rate");
       for (const std::string &name : names)
         columns.push_back(name + "_error");
+      if (!c_star.empty())
+        columns.insert(columns.end(), {"C_star", "C_star_error"});
       CsvTable table(file_name, columns);
       for (std::size_t i = 0; i < values.size(); ++i)
         {
@@ -203,14 +252,20 @@ namespace Crevasse
           add(value.intensity);
           row.push_back(value.release_rate);
           add(value.error);
+          if (!c_star.empty())
+            {
+              const auto &[of_flow, error] = c_star[i % n_vertices()];
+              row.insert(row.end(), {of_flow, error});
+            }
           table.add_row(row);
         }
     }
 
-    const CrackFrontAnalysis &analysis;
-    const StepList           &steps;
-    const std::string         file_name;
-    Log                      &log;
+    const CrackFrontAnalysis         &analysis;
+    const StepList                   &steps;
+    const std::optional<SecularFlow> &flow;
+    const std::string                 file_name;
+    Log                              &log;
 
     // Times and values in the last period; vertices vary before steps.
     std::vector<double> times;

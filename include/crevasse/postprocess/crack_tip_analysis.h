@@ -7,8 +7,7 @@
 #include <crevasse/crack_tip/growth_law.h>
 #include <crevasse/crack_tip/strain_energy.h>
 #include <crevasse/postprocess/stress_intensity.h>
-#include <crevasse/secular/secular_problem.h>
-#include <crevasse/secular/viscosity.h>
+#include <crevasse/secular/steady_creep.h>
 
 namespace Crevasse
 {
@@ -76,18 +75,15 @@ namespace Crevasse
     const StrainEnergy    energy;
     const bool            has_temperature; ///< whether it may differ from 0
     /** Whether the coefficients of singular functions are intensities. */
-    const bool  has_singular_functions;
-    std::string no_c_star; ///< reason for no C*, or empty
+    const bool has_singular_functions;
 
   private:
-    /** Reason why C* is unknown; empty: it is known. Finds the square with
-     * uniform viscosity. */
-    std::string
-    find_viscous_region(const SecularSplit &split);
+    /** Finds the square with uniform viscosity, or why there is no C*. */
+    void
+    find_viscous_region();
 
-    std::optional<Viscosity<2>>       viscosity;      ///< null without C*
+    SteadyCreep<2>                    creep;
     std::optional<TipRegion::Uniform> viscous_region; ///< null without C*
-    const bool                        mean_load_vanishes;
   };
 
   /** @throw SceneError if the loads need a point support at the tip. */

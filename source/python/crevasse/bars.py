@@ -33,6 +33,7 @@ SLIDING = .05
 # Errors of tips that the run has estimated, and the quantities whose bars replace them.
 ESTIMATES = {**{f"K_{mode}_error": (f"K_{mode}_largest", f"K_{mode}_smallest")
                 for mode in ("I", "II", "III")},
+             "C_star_error": ("C_star_largest", "C_star_smallest"),
              "error_of_largest": ("C_t_largest",), "error_of_last": ("C_t_last",)}
 OF_A_TIP = ("s", "pressure")  # what a tip makes infinite
 

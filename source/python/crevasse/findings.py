@@ -36,6 +36,9 @@ FINDINGS = {name: Finding(*rest) for name, *rest in (
     ("energy_release_rate", "largest energy release rate", "force / length",
      ("tip", "energy_release_rate", "largest")),
     ("C_star", "C*", "stress × length / time", ("tip", "C_star")),
+    ("C_star_largest", "largest C*", "stress × length / time", ("tip", "C_star", "largest")),
+    ("C_star_smallest", "smallest C*", "stress × length / time",
+     ("tip", "C_star", "smallest")),
     ("C_t_largest", "largest C(t)", "stress × length / time", ("tip", "largest")),
     ("C_t_last", "C(t) at the end", "stress × length / time", ("tip", "last")),
     ("K_I_error", "estimated error of K_I", INTENSITY, ("tip", "K_I_error")),
@@ -98,7 +101,7 @@ def read(directory):
         of_tips = tips if finding.path[0] == "tip" else [{}]
         for k, tip in enumerate(of_tips, 1):
             value = at({**places, "tip": tip}, finding.path)
-            if value is not None and math.isfinite(value):
+            if isinstance(value, (int, float)) and math.isfinite(value):
                 found[f"{name}_{k}" if len(of_tips) > 1 else name] = value
     return found
 

@@ -105,6 +105,7 @@ def numbers_of_tip(tip):
             ("ΔK_eff", ("Delta_K_eff",), None, INTENSITY),
             ("largest C(t)", ("largest",), "error_of_largest", FLOW),
             ("C*", ("C_star",), None, FLOW),
+            ("largest C*", ("C_star", "largest"), "C_star_error", FLOW),
             ("da/dN", ("da_dN",), None, "length")):
         yield Number(label, at(tip, path), tip.get(error), unit)
 

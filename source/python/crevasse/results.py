@@ -50,7 +50,7 @@ SHAPES = {
                          "radius": A_NUMBER, "largest": A_NUMBER, "last": A_NUMBER,
                          "error_of_largest": A_NUMBER, "error_of_last": A_NUMBER}],
     "crack_front": {"radius": A_NUMBER, "vertices": A_NUMBER, **dict.fromkeys(
-        ("K_I", "K_II", "K_III"), {EACH: {
+        ("K_I", "K_II", "K_III", "C_star"), {EACH: {
             "value": A_NUMBER, "t": A_NUMBER, "s": A_NUMBER, "position": [A_NUMBER]}})},
     "contact_solver": {}, "linear_solver": {}, "time_integration": {},
     "libraries": {}, "elastic_comparison": {},

@@ -3,7 +3,8 @@
 
 """Figures of the stress across the crack plane ahead of each tip, over the distance
 in logarithms, with the singular stress of K_I or of C(t) there; and of K_I along a
-front in space, of two lips also K_II and K_III, or of C(t), over arc length and time."""
+front in space, of two lips also K_II and K_III, or of C(t), over arc length and time;
+of C* over arc length."""
 
 import math
 
@@ -111,11 +112,11 @@ def singular_field(state, n):
 def along_front(run):
     """A figure of crack_front.csv; a row of axes for each front and mode: K at the
     instants of its extremes, and over arc length and time; C(t) at its last instant,
-    and its extremes along the front over time."""
+    and its extremes along the front over time; C*."""
     table = run.tables["crack_front.csv"]
     fronts = numpy.unique(table["front"])
-    rows = [(front, name) for front in fronts for name in ("K_I", "K_II", "K_III", "C_t")
-            if name in table]
+    rows = [(front, name) for front in fronts
+            for name in ("K_I", "K_II", "K_III", "C_t", "C_star") if name in table]
     figure, all_axes = pyplot.subplots(len(rows), 2, figsize=(9, 3.2 * len(rows)),
                                        squeeze=False, layout="constrained")
     for (front, name), axes in zip(rows, all_axes):
@@ -126,9 +127,14 @@ def along_front(run):
         if name == "C_t":
             draw_creep(axes, t, s, K, error, run)
             continue
-        label = run.in_units("K$_{" + name[2:] + "}$ (stress × √length)")
+        label = run.in_units("C* (stress × length / time)" if name == "C_star" else
+                             "K$_{" + name[2:] + "}$ (stress × √length)")
+        if name == "C_star":  # is the same at all instants
+            t, K, error = t[:1], K[:1], error[:1]
         bar = run.summary.get("bars", {}).get(f"{name}_largest", {}).get("bar")
         draw_lines(axes[0], t, s, K, error if bar is None else 0. * K + bar, label)
+        if name == "C_star":
+            axes[0].get_legend().remove()
         draw_map(axes[1], t, s, K, label)
         for panel in axes:
             panel.set_xlabel(run.in_units("s along the front (length)"))
