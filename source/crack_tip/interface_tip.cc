@@ -82,8 +82,8 @@ namespace Crevasse
       for (std::size_t i = 0; i < states.size(); ++i)
         if (const Point<2> local = tip.local(nodes[i].point);
             nodes[i].has_unknown() && states[i].is_closed == at_closed &&
-            local[0] < 0. && tip.is_on_line(local))
-          f(-local[0]);
+            local[0] < 0. && tip.is_on_curve(local))
+          f(tip.length_to(local));
     };
     look(false, [&](const double r) { open = std::min(open, r); });
     look(true, [&](const double r) {

@@ -66,41 +66,38 @@ namespace Crevasse
     constexpr double       cosine = 0.94; // of 20°
     const std::vector<Arc> faces  = faces_of_lips(space, tip);
     Tensor<1, 2>           direction({-1., 0.});
-    for (bool goes_on = true; goes_on;)
+    Point<2>               begin;
+    bool                   is_path = true, goes_on = true;
+    for (unsigned int n = 0; goes_on && n < faces.size(); ++n)
       {
-        goes_on              = false;
-        const Point<2> begin = nodes.back();
+        goes_on = false;
         for (const auto &[a, middle, b] : faces)
           {
             const double       tiny = same_place * a.distance(b);
             const Tensor<1, 2> next = tangent(a, middle, b);
-            // Lips that lead back, or aside, end the path.
-            if (a.distance(begin) > tiny || b[0] > begin[0] - tiny ||
-                std::abs(b[1]) > 0.7 * std::abs(b[0]) ||
-                next * direction < cosine)
+            if (a.distance(begin) > tiny || next * direction < cosine)
               continue;
+            // Lips that lead back, or aside, end the path, not the crack.
+            is_path = is_path && b[0] < begin[0] - tiny &&
+                      std::abs(b[1]) <= 0.7 * std::abs(b[0]);
             if (const double turned =
                   std::abs(cross_product_2d(next) * direction);
-                turned > same_place && bend == 0.)
+                turned > same_place && bend == 0. && is_path)
               bend = turned;
             curved    = curved || (nodes.size() == 1 && !tip.is_on_line(b));
             direction = -tangent(b, middle, a);
-            nodes.push_back(b);
+            // Both halves of an arc are longer than it by a third of what they
+            // are longer than its chord.
+            total +=
+              (4. * (a.distance(middle) + middle.distance(b)) - a.distance(b)) /
+              3.;
+            if (is_path)
+              nodes.push_back(b);
+            begin   = b;
             goes_on = true;
             break;
           }
       }
-  }
-
-
-
-  double
-  LipPath::length() const
-  {
-    double sum = 0.;
-    for (unsigned int i = 1; i < nodes.size(); ++i)
-      sum += nodes[i].distance(nodes[i - 1]);
-    return sum;
   }
 
 

@@ -118,7 +118,7 @@ namespace Crevasse
                      const bool                         by_side) const
   {
     const auto is_below = [&](const std::size_t p) {
-      return by_side && tip.local(points.location[p])[1] < 0.;
+      return by_side && tip.height(tip.local(points.location[p])) < 0.;
     };
     std::array<std::optional<VoigtMatrix<2>>, 2> at_tip;
     for (std::size_t p = 0; p < points.cell.size(); ++p)

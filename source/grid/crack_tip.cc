@@ -161,14 +161,19 @@ namespace Crevasse
         const Point<2>    &tip  = lip.end.first;
         const Tensor<1, 2> half = tip - lip.middle, all = tip - lip.center;
         Tensor<1, 2>       ahead = half;
-        if (half * all < (1. - 1e-14) * half.norm() * all.norm())
+        const bool         is_curved =
+          half * all < (1. - 1e-14) * half.norm() * all.norm();
+        if (is_curved)
           ahead = 2. * (half * all) / half.norm_square() * half - all;
         ahead /= ahead.norm();
+        const Tensor<1, 2> inward({-ahead[1], ahead[0]});
+        // The other end of the lip's face is at −2 all.
         list.push_back({tip,
                         ahead,
-                        Tensor<1, 2>({-ahead[1], ahead[0]}),
+                        inward,
                         true,
-                        roles.open.count(lip.id) > 0});
+                        roles.open.count(lip.id) > 0,
+                        is_curved ? -(all * inward) / all.norm_square() : 0.});
       });
     return list;
   }

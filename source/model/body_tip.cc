@@ -15,16 +15,17 @@ namespace Crevasse
 
   namespace
   {
-    /** Whether a cell has vertices on both sides of the line of a crack. */
-    bool
-    has_both_sides(const TriaAccessor<2, 2, 2> &cell, const CrackTip &tip)
+    /** Side of the line or circle of a crack on which a cell is, as the sign
+     * of Y there; 0 if it is on both. */
+    double
+    side_of(const TriaAccessor<2, 2, 2> &cell, const CrackTip &tip)
     {
       bool above = false, below = false;
       for (const unsigned int v : cell.vertex_indices())
         if (const Point<2> local = tip.local(cell.vertex(v));
-            !tip.is_on_line(local))
-          (local[1] > 0. ? above : below) = true;
-      return above && below;
+            !tip.is_on_curve(local))
+          (tip.height(local) > 0. ? above : below) = true;
+      return above && below ? 0. : (above ? 1. : -1.);
     }
   } // namespace
 
@@ -53,15 +54,19 @@ namespace Crevasse
             };
             if (!limit && side == 0.)
               limit = at(tip.position);
-            if (side != 0. && has_both_sides(*cell, tip))
+            const double of_cell = side_of(*cell, tip);
+            if (side != 0. && of_cell == 0.)
               return {};
+            if (side * of_cell < 0.)
+              break;
             for (const Point<2> &unit : rule.get_points())
               {
                 const Point<2> place =
                   tip.position +
                   close * (mapping.transform_unit_to_real_cell(cell, unit) -
                            tip.position);
-                if (side * tip.local(place)[1] < 0.)
+                // The cell's edges may be curved.
+                if (side * tip.height(tip.local(place)) < 0.)
                   continue;
                 const VoigtMatrix<2> here = at(place);
                 if (!limit)
@@ -91,8 +96,9 @@ namespace Crevasse
                        " is not the same on all sides of it: a crack between "
                        "two materials has other fields. K is known of a "
                        "[Boundary] Crack or Open crack if two isotropic "
-                       "materials meet on its straight continuation, along "
-                       "edges of cells; singular functions are not.");
+                       "materials meet on its continuation, which is straight "
+                       "or the same arc of a circle, along edges of cells; "
+                       "singular functions are not.");
     return *stiffness;
   }
 } // namespace Crevasse

@@ -60,6 +60,19 @@ namespace Crevasse
     for (const double t :
          instants_of_variation(body.material.stiffness_varies, steps))
       elasticity(t);
+    if (is_on_arc())
+      {
+        on_arc.emplace(body,
+                       points,
+                       region,
+                       *first_elasticity.interface,
+                       scene.loads,
+                       std::array<double, 2>{{square.size, smaller_square()}});
+        for (const double t :
+             instants_of_variation(body.material.thermal_strain_varies, steps))
+          on_arc->require_uniform(body.material.at(t));
+        return;
+      }
     for (const CrackMode mode : modes())
       integrals.emplace_back(mode, integrate(mode, false));
     if (first_elasticity.interface && !tip.is_open)
@@ -94,10 +107,7 @@ namespace Crevasse
          first_elasticity.interface ? &*first_elasticity.interface : nullptr,
          is_closed});
     };
-    return {over_square(square.size, 2),
-            over_square(std::max(region.aligned_radius(0.5 * square.size),
-                                 region.cell_radius),
-                        3)};
+    return {over_square(square.size, 2), over_square(smaller_square(), 3)};
   }
 
 
@@ -226,6 +236,8 @@ namespace Crevasse
     constexpr double least = 0.25;
     const double     end   = region.largest_radius();
     const double     wish  = scene.crack_tip.radius;
+    if (is_on_arc())
+      return {square_on_arc(), 0.};
     // Viscous strain does not enter where creep is uniform.
     const double most = uniform.creep >= least * end ? uniform.creep : end;
     // Fields of known K are those of straight lips in the plane.
@@ -326,6 +338,15 @@ namespace Crevasse
           all.contact_zone =
             std::min(contact_zone(body.lip, region.tip, sample.state),
                      first_elasticity.interface->length);
+        if (on_arc)
+          {
+            const auto [K, errors] = on_arc->evaluate(
+              t, sample, material, all.contact_zone, is_wide(all.contact_zone));
+            all.intensity = K;
+            all.error     = errors;
+            all.of_stress = K[0];
+            return all;
+          }
         if (is_wide(all.contact_zone))
           {
             integrate(CrackMode::sliding, *of_closed_lips, lips);

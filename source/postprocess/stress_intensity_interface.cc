@@ -33,7 +33,7 @@ namespace Crevasse
   {
     const Property<VoigtMatrix<2>> &stiffness = body.law.stiffness;
     if (!region.tip.two_lips || body.space.roles.has_axis ||
-        region.path.is_curved() || limits_at(stiffness, t, false))
+        limits_at(stiffness, t, false))
       return {};
     const auto sides = limits_at(stiffness, t, true);
     if (!sides || !PlaneElasticity::is_isotropic((*sides)[0]) ||
@@ -51,7 +51,34 @@ namespace Crevasse
       refuse(
         "of lips that touch in a body that creeps ([Boundary] Open crack is of "
         "lips that never do)");
+    if (region.path.is_curved())
+      for (const auto &[is_so, what] :
+           {std::pair(body.space.finite_element.degree < 2,
+                      "along an arc with [Discretisation] Degree = 1"),
+            std::pair(body.lip.has_gap, "along an arc with a [Boundary] Gap"),
+            std::pair(body.space.roles.has_loaded_lip(),
+                      "along an arc with loads on lips")})
+        if (is_so)
+          refuse(what);
     return InterfaceTip(*sides, region.path.length());
+  }
+
+
+
+  double
+  StressIntensity::square_on_arc() const
+  {
+    if (uniform.stiffness == 0.)
+      throw SceneError(setting(scene) + ": the crack tip " +
+                       Text::from_point(region.tip.position) +
+                       " is on an arc between two materials, where K is known "
+                       "if the moduli of each are uniform, but in the cells at "
+                       "the tip they vary. Set Stress intensity = false.");
+    // The fields of unit intensities are singular in the centre of the circle.
+    constexpr double part = 0.7;
+    return region.square(scene.crack_tip.radius,
+                         std::min(uniform.stiffness,
+                                  part / std::abs(region.tip.curvature)));
   }
 
 

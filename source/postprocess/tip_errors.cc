@@ -258,7 +258,7 @@ namespace Crevasse
                           at_tip)
                 .intensity;
             sizes[i] = std::max(sizes[i], std::hypot(K[0], K[1]));
-            for (const CrackMode mode : intensity.modes())
+            for (const CrackMode mode : intensity.linear_modes())
               {
                 double &error = mode == CrackMode::constant
                                   ? errors[i].of_T

@@ -27,9 +27,13 @@ namespace Crevasse
       return curved;
     }
 
-    /** Length of the path, by its chords. */
+    /** Length of the crack, to its other end or a kink: also where it leads
+     * back or aside, which the path does not. */
     double
-    length() const;
+    length() const
+    {
+      return total;
+    }
 
     /** Angle of the first bend, between the tangents on both sides of a node; 0
      * if there is none. Where a polygon stands for a curve, the direction of
@@ -53,7 +57,7 @@ namespace Crevasse
 
   private:
     std::vector<dealii::Point<2>> nodes; ///< from the tip on
-    double                        bend   = 0.;
+    double                        bend = 0., total = 0.;
     bool                          curved = false;
   };
 } // namespace Crevasse

@@ -39,6 +39,9 @@ namespace Crevasse
     bool two_lips = false;
     /** Whether the lips never touch. */
     bool is_open = false;
+    /** Curvature of the lips at the tip: the centre of their circle is at (0,
+     * 1/curvature). */
+    double curvature = 0.;
 
     /** Local coordinates (X, Y) of a point. */
     dealii::Point<2>
@@ -66,6 +69,35 @@ namespace Crevasse
     {
       return std::abs(local[1]) <=
              1e-8 * std::abs(local[0]) + 1e-14 * position.norm();
+    }
+
+    /** Height of (X, Y) above the straight line or circle of the lips at the
+     * tip, up to higher powers of it. */
+    double
+    height(const dealii::Point<2> &local) const
+    {
+      return local[1] - 0.5 * curvature * local.square();
+    }
+
+    /** Whether (X, Y) is on this line or circle, as exactly as files have
+     * nodes. */
+    bool
+    is_on_curve(const dealii::Point<2> &local) const
+    {
+      return curvature == 0.
+               ? is_on_line(local)
+               : std::abs(height(local)) <=
+                   std::min(1e-5 * local.norm(), 1e-6 / std::abs(curvature));
+    }
+
+    /** Distance of a point (X, Y) of this line or circle along it. */
+    double
+    length_to(const dealii::Point<2> &local) const
+    {
+      const double chord = local.norm();
+      const double sine  = 0.5 * std::abs(curvature) * chord;
+      return sine < 1e-4 ? chord * (1. + sine * sine / 6.)
+                         : chord * std::asin(std::min(sine, 1.)) / sine;
     }
 
     /** Rotation of components from the mesh's coordinates to (X, Y). */

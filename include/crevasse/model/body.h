@@ -70,8 +70,8 @@ namespace Crevasse
 
   /** Limit of a property of the material at a tip, if it is the same from all
    * sides. Around the tip the property may vary.
-   * @param side 0, or the sign of Y on the one side of the crack's line that
-   * counts: then no cell at the tip may lie on both. */
+   * @param side 0, or the sign of Y on the one side of the crack's line or
+   * circle that counts: then no cell at the tip may lie on both. */
   std::optional<VoigtMatrix<2>>
   limit_at(const CrackTip                 &tip,
            const dealii::Triangulation<2> &mesh,

@@ -4,6 +4,7 @@
 #ifndef crevasse_postprocess_stress_intensity_h
 #define crevasse_postprocess_stress_intensity_h
 
+#include <crevasse/crack_tip/arc_integral.h>
 #include <crevasse/crack_tip/interaction_integral.h>
 #include <crevasse/crack_tip/nested_fits.h>
 #include <crevasse/time/step_list.h>
@@ -94,6 +95,14 @@ namespace Crevasse
       return list;
     }
 
+    /** The modes() that factor_of_stress() knows: none on an arc between two
+     * materials, where G is. */
+    std::vector<CrackMode>
+    linear_modes() const
+    {
+      return is_on_arc() ? std::vector<CrackMode>() : modes();
+    }
+
     /** Whether T is computed: by the integral, where the stress at the tip
      * stays Williams' series. */
     bool
@@ -103,12 +112,22 @@ namespace Crevasse
              why.empty() && !first_elasticity.interface;
     }
 
-    /** Name of the method, "interaction integral" or "williams fit". */
+    /** Name of the method, "interaction integral", "williams fit" or, on an
+     * arc between two materials, "energy release rate". */
     std::string
     method() const
     {
-      return name_of(uses_fit ? StressIntensityMethod::williams_fit
-                              : StressIntensityMethod::interaction_integral);
+      return is_on_arc() ? "energy release rate"
+             : uses_fit  ? name_of(StressIntensityMethod::williams_fit)
+                         : name_of(StressIntensityMethod::interaction_integral);
+    }
+
+    /** Whether the tip is on an arc between two materials: K is no linear
+     * function of the stress then. */
+    bool
+    is_on_arc() const
+    {
+      return first_elasticity.interface && region.path.is_curved();
     }
 
     /** Elasticity of the law at the tip at an instant within the period,
@@ -222,6 +241,19 @@ namespace Crevasse
     Square
     choose_square() const;
 
+    /** Size of the larger square at a tip on an arc between two materials.
+     * @throw SceneError if the moduli of one of them vary there. */
+    double
+    square_on_arc() const;
+
+    /** Size of the square whose integral is the check. */
+    double
+    smaller_square() const
+    {
+      return std::max(region.aligned_radius(0.5 * square.size),
+                      region.cell_radius);
+    }
+
     /** InteractionIntegral::Squares::creep, at least so many cells. */
     double
     creep_square(const double size, const unsigned int cells) const;
@@ -264,9 +296,11 @@ namespace Crevasse
     const Square                                 square; ///< larger square
     std::vector<std::pair<CrackMode, Integrals>> integrals;
     /** Mode II of closed lips between two materials. */
-    std::optional<Integrals>  of_closed_lips;
-    double                    fit_radius = 0.;
-    std::optional<NestedFits> fits; ///< fits for one lip in the plane
+    std::optional<Integrals> of_closed_lips;
+    /** On an arc between two materials, instead of integrals. */
+    std::optional<ArcIntegral> on_arc;
+    double                     fit_radius = 0.;
+    std::optional<NestedFits>  fits; ///< fits for one lip in the plane
   };
 } // namespace Crevasse
 
