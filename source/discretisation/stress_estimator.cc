@@ -37,6 +37,36 @@ namespace Crevasse
         2. * (trace - mean / dim) / (0.5 * dim * (dim + 1) - 1.);
       return std::sqrt(sum + 0.75 * (n - 3) * shear * shear);
     }
+
+
+
+    /** Whether a stiffness is isotropic, not merely cubic. */
+    template <int dim>
+    bool
+    is_alike_in_all_directions(const VoigtMatrix<dim> &K)
+    {
+      return is_isotropic<dim>(K) &&
+             std::abs(K[0][0] - K[0][1] - 2. * K[3][3]) <= 1e-12 * K[0][0];
+    }
+
+
+
+    /** Sends values of cells to the ranks that see them. */
+    template <int dim, typename Value>
+    void
+    send_to_ghosts(const dealii::Triangulation<dim> &mesh,
+                   std::vector<Value>               &values)
+    {
+      dealii::GridTools::
+        exchange_cell_data_to_ghosts<Value, dealii::Triangulation<dim>>(
+          mesh,
+          [&values](const auto &cell) {
+            return values[cell->active_cell_index()];
+          },
+          [&values](const auto &cell, const Value &value) {
+            values[cell->active_cell_index()] = value;
+          });
+    }
   } // namespace
 
 
@@ -69,8 +99,8 @@ namespace Crevasse
     // error, from comparison with known errors.
     constexpr double of_faces = 1. / 16., of_cells = 1. / 16.;
 
-    const std::vector<double> compliance = compliances(material);
-    const std::vector<double> singular =
+    const std::vector<ResidualWeight<dim>> of_cells_seen = weights(material);
+    const std::vector<double>              singular =
       singular_coefficients(elastic_displacement);
     const auto stiffness_at = [&](const std::size_t point) {
       return material.stiffness_factor * (*material.stiffness)[point];
@@ -101,18 +131,18 @@ namespace Crevasse
     // A face counts for both cells, and is integrated from the finer one.
     const auto add_jump = [&](const auto &cell, const unsigned int f) {
       const double half =
-        0.5 * of_faces / degree * residual.jump(cell, f, compliance);
+        0.5 * of_faces / degree * residual.jump(cell, f, of_cells_seen);
       squares(cell->active_cell_index()) += half;
       squares(cell->neighbor(f)->active_cell_index()) += half;
     };
     collectively(space.communicator(), [&]() {
       for (const auto &cell : owned_cells(polynomials.dof_handler))
         {
-          const double c = compliance[cell->active_cell_index()];
-          const double h = cell->diameter() / std::sqrt(dim);
+          const auto  &weight = of_cells_seen[cell->active_cell_index()];
+          const double h      = cell->diameter() / std::sqrt(dim);
           double       whole =
-            of_cells * c * h * h / (degree * degree) *
-            residual.in_volume(cell, [&](const auto &point) {
+            of_cells * h * h / (degree * degree) *
+            residual.in_volume(cell, weight, [&](const auto &point) {
               return cut_off_force(singular,
                                    point,
                                    *cell,
@@ -120,14 +150,15 @@ namespace Crevasse
             });
           for (const unsigned int f : cell->face_indices())
             if (cell->at_boundary(f))
-              whole += of_faces / degree * c *
-                       residual.at_boundary(cell, f, [&](const auto &point) {
-                         return singular_stress(singular,
-                                                point,
-                                                cell->center(),
-                                                stiffness_at(
-                                                  points.first_point(cell)));
-                       });
+              whole +=
+                of_faces / degree *
+                residual.at_boundary(cell, f, weight, [&](const auto &point) {
+                  return singular_stress(singular,
+                                         point,
+                                         cell->center(),
+                                         stiffness_at(
+                                           points.first_point(cell)));
+                });
             else if (const auto other = cell->neighbor(f);
                      other->has_children())
               {
@@ -177,10 +208,10 @@ namespace Crevasse
 
 
   template <int dim>
-  std::vector<double>
-  StressEstimator<dim>::compliances(const MaterialState<dim> &material) const
+  std::vector<ResidualWeight<dim>>
+  StressEstimator<dim>::weights(const MaterialState<dim> &material) const
   {
-    std::vector<double> values;
+    std::vector<double> compliance;
     collectively(space.communicator(), [&]() {
       const auto norms =
         transform(*material.stiffness,
@@ -189,16 +220,24 @@ namespace Crevasse
                     return norm_of_compliance<dim>(inverse<dim>(K)) /
                            material.stiffness_factor;
                   });
-      values = cell_means(space, points, norms);
+      compliance = cell_means(space, points, norms);
     });
-    dealii::GridTools::exchange_cell_data_to_ghosts<double,
-                                                    dealii::Triangulation<dim>>(
-      space.mesh(),
-      [&values](const auto &cell) { return values[cell->active_cell_index()]; },
-      [&values](const auto &cell, const double value) {
-        values[cell->active_cell_index()] = value;
-      });
-    return values;
+    send_to_ghosts(space.mesh(), compliance);
+    std::vector<ResidualWeight<dim>> all(compliance.begin(), compliance.end());
+    const auto                      &distinct = material.stiffness->distinct();
+    if (dealii::Utilities::MPI::min(std::all_of(distinct.begin(),
+                                                distinct.end(),
+                                                is_alike_in_all_directions<dim>)
+                                      ? 1
+                                      : 0,
+                                    space.communicator()) == 1)
+      return all;
+    auto stiffness = cell_means(space, points, *material.stiffness);
+    send_to_ghosts(space.mesh(), stiffness);
+    for (std::size_t i = 0; i < all.size(); ++i)
+      if (compliance[i] > 0. && !is_alike_in_all_directions<dim>(stiffness[i]))
+        all[i] = ResidualWeight<dim>(compliance[i], stiffness[i]);
+    return all;
   }
 
 

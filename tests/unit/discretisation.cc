@@ -15,6 +15,8 @@ operators();
 void
 patch_test();
 void
+residual_weight();
+void
 rigid_motions();
 void
 singular_functions();
@@ -30,6 +32,7 @@ main(int argc, char **argv)
                     {"interface_tip", interface_tip},
                     {"operators", operators},
                     {"patch_test", patch_test},
+                    {"residual_weight", residual_weight},
                     {"rigid_motions", rigid_motions},
                     {"singular_functions", singular_functions},
                     {"split_cells", split_cells}});

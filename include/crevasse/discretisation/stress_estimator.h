@@ -15,6 +15,8 @@ namespace Crevasse
   struct ContactForces;
   template <int dim>
   struct MaterialState;
+  template <int dim>
+  class ResidualWeight;
 
   /**
    * Error estimator: residual of the equilibrium of stresses in each cell, in
@@ -88,9 +90,9 @@ namespace Crevasse
     }
 
   private:
-    /** Compliances of the cells that this rank sees. */
-    std::vector<double>
-    compliances(const MaterialState<dim> &material) const;
+    /** Weights of the residuals in the cells that this rank sees. */
+    std::vector<ResidualWeight<dim>>
+    weights(const MaterialState<dim> &material) const;
 
     /** Energy ∫ s·K⁻¹s over all ranks. */
     double

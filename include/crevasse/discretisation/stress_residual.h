@@ -6,6 +6,7 @@
 
 #include <crevasse/discretisation/cell_polynomials.h>
 #include <crevasse/discretisation/external_loads.h>
+#include <crevasse/discretisation/residual_weight.h>
 #include <crevasse/lip/contact_boundary.h>
 #include <crevasse/material/voigt.h>
 
@@ -64,13 +65,15 @@ namespace Crevasse
     {
     }
 
-    /** Residual in a cell: ∫ ‖div s + φ₁‖².
+    /** Residual in a cell: ∫ c ‖div s + φ₁‖².
      *
      * @param added Divergence at a point of a stress in addition to the
      * polynomials. */
     template <typename Function>
     double
-    in_volume(const Cell &cell, const Function &added)
+    in_volume(const Cell                &cell,
+              const ResidualWeight<dim> &weight,
+              const Function            &added)
     {
       inside.reinit(cell);
       inside.get_function_gradients(stress, gradients);
@@ -92,7 +95,7 @@ namespace Crevasse
               residual[0] += (s[0] - s[2]) / radius;
               residual[1] += s[voigt_index<dim>(0, 1)] / radius;
             }
-          integral += residual.norm_square() * inside.JxW(q);
+          integral += weight.of_force(residual) * inside.JxW(q);
         }
       return integral;
     }
@@ -100,9 +103,9 @@ namespace Crevasse
     /** Jump over a face to a cell that is not finer: h ∫ c ‖[s n]‖², with the
      * compliance of the stiffer cell. */
     double
-    jump(const Cell                &cell,
-         const unsigned int         face,
-         const std::vector<double> &compliance)
+    jump(const Cell                             &cell,
+         const unsigned int                      face,
+         const std::vector<ResidualWeight<dim>> &weights)
     {
       constexpr auto whole = dealii::numbers::invalid_unsigned_int;
       const auto     other = cell->neighbor(face);
@@ -114,20 +117,23 @@ namespace Crevasse
       const auto &mine = faces.get_fe_face_values(0);
       mine.get_function_values(stress, here);
       faces.get_fe_face_values(1).get_function_values(stress, there);
-      double integral = 0.;
+      double of_cell = 0., of_other = 0.;
       for (const unsigned int q : mine.quadrature_point_indices())
         {
           here[q] -= there[q];
-          integral +=
-            traction_of(here[q], mine.normal_vector(q)).norm_square() *
+          const auto normal   = mine.normal_vector(q);
+          const auto traction = traction_of(here[q], normal);
+          of_cell +=
+            weights[cell->active_cell_index()].of_traction(traction, normal) *
+            mine.JxW(q);
+          of_other +=
+            weights[other->active_cell_index()].of_traction(traction, normal) *
             mine.JxW(q);
         }
-      return size_of(mine) * integral *
-             std::min(compliance[cell->active_cell_index()],
-                      compliance[other->active_cell_index()]);
+      return size_of(mine) * std::min(of_cell, of_other);
     }
 
-    /** Residual at a boundary face: h ∫ ‖…‖² of the unbalanced traction: on
+    /** Residual at a boundary face: h ∫ c ‖…‖² of the unbalanced traction: on
      * loaded faces s n minus the load, on planes of symmetry and lips its
      * tangential part, on lips also the normal traction plus the contact
      * pressure, and nothing where the body is held.
@@ -135,9 +141,10 @@ namespace Crevasse
      * @param added Stress at a point in addition to the polynomials. */
     template <typename Function>
     double
-    at_boundary(const Cell        &cell,
-                const unsigned int face,
-                const Function    &added)
+    at_boundary(const Cell                &cell,
+                const unsigned int         face,
+                const ResidualWeight<dim> &weight,
+                const Function            &added)
     {
       const BoundaryRoles &roles = space.roles;
       const auto           id    = cell->face(face)->boundary_id();
@@ -176,7 +183,7 @@ namespace Crevasse
           for (unsigned int d = 0; d < dim; ++d)
             if (roles.displaced.count(id) > 0 && roles.free.count({id, d}) == 0)
               residual[d] = 0.;
-          integral += residual.norm_square() * values.JxW(q);
+          integral += weight.of_traction(residual, normal) * values.JxW(q);
         }
       return size_of(values) * integral;
     }
