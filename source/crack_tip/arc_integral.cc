@@ -145,18 +145,13 @@ namespace Crevasse
 
 
 
-  void
-  ArcIntegral::add_area(const double            t,
-                        const Vector           &nodal,
-                        const Vector           &stress,
-                        const MaterialState<2> &material,
-                        Sums                   &sums) const
+  std::vector<Tensor<2, 2>>
+  ArcIntegral::slopes_at_places(const Vector &nodal) const
   {
-    using Field              = QuadratureField<2>;
-    const double       k     = material.stiffness_factor;
-    const Space<2>    &space = body.space;
-    const Tensor<2, 2> unit  = Tensor<2, 2>(unit_symmetric_tensor<2>());
-
+    const Space<2>           &space = body.space;
+    std::vector<Tensor<2, 2>> slopes;
+    slopes.reserve(places.size());
+    double                    spin = 0., area = 0.;
     CellValues<2>             cell_values(space, update_gradients);
     std::vector<Tensor<2, 2>> gradients(space.quadratures[0].size());
     auto                      place = places.begin();
@@ -170,34 +165,65 @@ namespace Crevasse
           .get_function_gradients(nodal, gradients);
         for (; place != places.end() && place->point < end; ++place)
           {
-            const VoigtVector<2> s =
-              Field::get(stress, place->point * Field::n_components);
-            const Tensor<2, 2>  sigma({{s[0], s[3]}, {s[3], s[1]}});
-            const Tensor<2, 2> &slopes = gradients[place->point - first];
-            const double        W =
-              s * interface.strain(s, place->is_below) / (2. * k);
-            // P and ∂u/∂V of the body, then of it with unit fields.
-            std::array<Tensor<2, 2>, 3> P, of_V;
-            P[0]    = transpose(slopes) * sigma - W * unit;
-            of_V[0] = slopes;
-            for (const unsigned int mode : {0, 1})
-              {
-                const ArcField::Gradients &field = place->units[mode];
-                P[1 + mode] = transpose(field.slopes) * sigma +
-                              k * transpose(slopes) * field.stress -
-                              scalar_product(sigma, field.slopes) * unit;
-                of_V[1 + mode] = field.slopes;
-              }
-            for (const unsigned int w : {0, 1})
-              for (const unsigned int n : {0, 1, 2})
-                {
-                  sums[w][n] += scalar_product(P[n], place->gradient[w]);
-                  for (const auto &[d, force] : body_force)
-                    sums[w][n] -=
-                      force.value(points.location[place->point], t) *
-                      (of_V[n] * place->shift[w])[d];
-                }
+            const Tensor<2, 2> &here   = gradients[place->point - first];
+            const double        weight = points.weight[place->point];
+            slopes.push_back(here);
+            spin += weight * 0.5 * (here[1][0] - here[0][1]);
+            area += weight;
           }
+      }
+    const MPI_Comm communicator = space.communicator();
+    spin                        = Utilities::MPI::sum(spin, communicator) /
+           Utilities::MPI::sum(area, communicator);
+    for (Tensor<2, 2> &here : slopes)
+      {
+        here[1][0] -= spin;
+        here[0][1] += spin;
+      }
+    return slopes;
+  }
+
+
+
+  void
+  ArcIntegral::add_area(const double            t,
+                        const Vector           &nodal,
+                        const Vector           &stress,
+                        const MaterialState<2> &material,
+                        Sums                   &sums) const
+  {
+    using Field             = QuadratureField<2>;
+    const double       k    = material.stiffness_factor;
+    const Tensor<2, 2> unit = Tensor<2, 2>(unit_symmetric_tensor<2>());
+    const auto         all  = slopes_at_places(nodal);
+    for (std::size_t i = 0; i < places.size(); ++i)
+      {
+        const Place         &place  = places[i];
+        const Tensor<2, 2>  &slopes = all[i];
+        const VoigtVector<2> s =
+          Field::get(stress, place.point * Field::n_components);
+        const Tensor<2, 2> sigma({{s[0], s[3]}, {s[3], s[1]}});
+        const double W = s * interface.strain(s, place.is_below) / (2. * k);
+        // P and ∂u/∂V of the body, then of it with unit fields.
+        std::array<Tensor<2, 2>, 3> P, of_V;
+        P[0]    = transpose(slopes) * sigma - W * unit;
+        of_V[0] = slopes;
+        for (const unsigned int mode : {0, 1})
+          {
+            const ArcField::Gradients &field = place.units[mode];
+            P[1 + mode]                      = transpose(field.slopes) * sigma +
+                          k * transpose(slopes) * field.stress -
+                          scalar_product(sigma, field.slopes) * unit;
+            of_V[1 + mode] = field.slopes;
+          }
+        for (const unsigned int w : {0, 1})
+          for (const unsigned int n : {0, 1, 2})
+            {
+              sums[w][n] += scalar_product(P[n], place.gradient[w]);
+              for (const auto &[d, force] : body_force)
+                sums[w][n] -= force.value(points.location[place.point], t) *
+                              (of_V[n] * place.shift[w])[d];
+            }
       }
   }
 

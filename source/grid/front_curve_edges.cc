@@ -189,7 +189,8 @@ namespace Crevasse
       {
         return 0.; // K of such fronts is refused where it is asked for
       }
-    constexpr double least = 2.5e-4, most = 0.03;
+    // Parts of the chord, and of the smallest edge of the cell.
+    constexpr double least = 2.5e-4, most = 0.03, most_across = 0.1;
     double           largest = 0.;
     for (const auto &cell : mesh.cell_iterators_on_level(0))
       for (const unsigned int l : cell->line_indices())
@@ -212,10 +213,13 @@ namespace Crevasse
               // between them.
               if (!(to_corner > 0. && (chord - from_a) * at_b > 0.))
                 continue;
-              const Point<3> middle = a + 0.25 * chord + 0.5 * from_a;
-              const double   move =
-                middle.distance(line->center(true)) / chord.norm();
-              if (move < least || move > most)
+              const Point<3>     middle = a + 0.25 * chord + 0.5 * from_a;
+              const Tensor<1, 3> shift  = middle - line->center(true);
+              const double       move   = shift.norm() / chord.norm();
+              const double       across =
+                cross_product_3d(shift, chord).norm() / chord.norm();
+              if (move < least || move > most ||
+                  across > most_across * cell->minimum_vertex_distance())
                 continue;
               set_parabola<3>(line, middle, mesh);
               largest = std::max(largest, move);

@@ -133,10 +133,10 @@ def test_invariances():
             check_below(abs(image(K_of(other)) - K_of(tip)) / abs(K_of(tip)), allowed, what)
     mirrored = tips_of(debond("mirrored", (180 - crack[1], 180 - crack[0]),
                               far=(LOADS[0], LOADS[1], -LOADS[2]), **settings), "mirrored")
-    # Nodes of refined curved cells are found by iteration, from another vertex here.
-    compare("mirrored", mirrored[::-1], lambda K: K.conjugate(), 1e-5)
+    compare("mirrored", mirrored[::-1], lambda K: K.conjugate())
     length, stress = 1e-3, 1e9
-    for degrees, allowed in ((90., 1e-8), (-37., 2e-3)):
+    # Nodes of refined curved cells are found by iteration.
+    for degrees, allowed in ((90., 1e-8), (-37., 2e-5)):
         compare(f"turned by {degrees}, in other units",
                 tips_of(debond("turned", crack, far=LOADS, degrees=degrees,
                                unit=(length, stress), **settings), "turned"),

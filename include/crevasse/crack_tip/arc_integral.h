@@ -119,7 +119,13 @@ namespace Crevasse
     void
     find_pairs(const std::array<SquareWeight, 2> &weights);
 
-    /** Adds what the area of this rank contributes. */
+    /** Gradients of the displacement at this rank's places, less the mean turn
+     * of the larger square: forces in equilibrium do no work on a turn, but
+     * those of a mesh are in equilibrium at nodes only. Collective. */
+    std::vector<dealii::Tensor<2, 2>>
+    slopes_at_places(const Vector &nodal) const;
+
+    /** Adds what the area of this rank contributes. Collective. */
     void
     add_area(const double            t,
              const Vector           &nodal,

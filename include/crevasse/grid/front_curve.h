@@ -117,8 +117,8 @@ namespace Crevasse
    * an ellipse of 2 : 1 with 6 edges along a quarter, 0.3 % without angles. The
    * middle of a parabola is the mean of the middle of its chord and of the
    * point where its tangents meet. Edges that would turn by less than 1e-3, or
-   * whose middle would move by more than 3 % of the chord, stay, as all do of
-   * fronts that FrontCurve refuses.
+   * whose middle would move by more than 3 % of the chord, or far for the size
+   * of the cells there, stay, as all do of fronts that FrontCurve refuses.
    * @return the largest move, relative to the chord.
    */
   double
