@@ -11,6 +11,8 @@ crack_modes();
 void
 interface_tip();
 void
+lip_forces();
+void
 operators();
 void
 patch_test();
@@ -30,6 +32,7 @@ main(int argc, char **argv)
                    argv,
                    {{"crack_modes", crack_modes},
                     {"interface_tip", interface_tip},
+                    {"lip_forces", lip_forces},
                     {"operators", operators},
                     {"patch_test", patch_test},
                     {"residual_weight", residual_weight},
