@@ -264,11 +264,11 @@ namespace Crevasse
                                           : 0.;
       }
     Estimate estimate{{{K[0].real(), K[0].imag()}}, {}};
+    // K_I and K_II mix with the length to which they are related.
     for (const Complex &check : {K[1], is_wide ? K[0] : without_G[0]})
-      {
-        estimate.error[0] += std::abs((check - K[0]).real());
-        estimate.error[1] += std::abs((check - K[0]).imag());
-      }
+      for (const unsigned int mode : {0, 1})
+        if (!is_wide || mode == 1)
+          estimate.error[mode] += std::abs(check - K[0]);
     return estimate;
   }
 } // namespace Crevasse

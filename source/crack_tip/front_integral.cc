@@ -279,7 +279,7 @@ namespace Crevasse
   {
     const auto         &vertices = region.vertices;
     const std::size_t   n        = K.size();
-    std::vector<double> sums(4 * n); // K, and LipForces::Sums
+    std::vector<double> sums(6 * n); // K, and LipForces::Sums
     std::copy(K.begin(), K.end(), sums.begin());
     for (const auto &[vertex, component, of_forces] : of_contact_forces)
       {
@@ -287,16 +287,22 @@ namespace Crevasse
           of_forces.sums(component == 0 ? forces.normal
                                         : forces.tangential[component - 1],
                          forces.normal);
-        sums[n + vertex] += lips.of_forces;
-        sums[2 * n + vertex] += lips.with_line;
-        sums[3 * n + vertex] += lips.open_less_closed;
+        double *at = &sums[n + 5 * vertex];
+        for (const double value : {lips.of_forces,
+                                   lips.with_line,
+                                   lips.area,
+                                   lips.pressure,
+                                   lips.square})
+          *at++ += value;
       }
     Utilities::MPI::sum(sums, body.space.communicator(), sums);
     for (std::size_t v = 0; v < n; ++v)
-      K[v] = (sums[v] +
-              LipForces::Sums{sums[n + v], sums[2 * n + v], sums[3 * n + v]}
-                .chosen()) /
-             vertices[v].integral();
+      {
+        const double *at = &sums[n + 5 * v];
+        K[v]             = (sums[v] +
+                LipForces::Sums{at[0], at[1], at[2], at[3], at[4]}.chosen()) /
+               vertices[v].integral();
+      }
     if (fields.mode == CrackMode::tearing)
       for (std::size_t v = 0; v < K.size(); ++v)
         if (const auto &end = vertices[v]; end.is_end())

@@ -262,9 +262,13 @@ namespace Crevasse
     std::vector<double> sums{sum,
                              lips.of_forces,
                              lips.with_line,
-                             lips.open_less_closed};
+                             lips.area,
+                             lips.pressure,
+                             lips.square};
     Utilities::MPI::sum(sums, body.space.communicator(), sums);
-    return sums[0] + LipForces::Sums{sums[1], sums[2], sums[3]}.chosen();
+    return sums[0] +
+           LipForces::Sums{sums[1], sums[2], sums[3], sums[4], sums[5]}
+             .chosen();
   }
 
 

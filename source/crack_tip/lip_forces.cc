@@ -14,7 +14,7 @@ namespace Crevasse
   LipForces::LipForces(const std::vector<Node> &nodes)
   {
     for (const Node &node : nodes)
-      all.push_back({node.number, node.factor, node.factor, false});
+      all.push_back({node.number, node.factor, node.factor, 0., node.area});
   }
 
 
@@ -39,7 +39,7 @@ namespace Crevasse
       matrix         = 0.;
       unsigned int n = 0;
       for (std::size_t i = 0; i < nodes.size(); ++i)
-        if ((all[i].is_on_line = share(i) > 0.))
+        if ((all[i].share = share(i)) > 0.)
           {
             ++n;
             matrix += share(i) * nodes[i].area *
@@ -57,7 +57,7 @@ namespace Crevasse
       if ((end *= 1.5) > reach)
         {
           for (Factor &factor : all)
-            factor.is_on_line = false;
+            factor.share = 0.;
           return;
         }
 
@@ -72,15 +72,30 @@ namespace Crevasse
     of_coefficients = Utilities::MPI::sum(of_coefficients, communicator);
     const Tensor<1, 2> solution = invert(matrix) * of_coefficients;
     for (std::size_t i = 0; i < nodes.size(); ++i)
-      if (all[i].is_on_line)
+      if (all[i].share > 0.)
         all[i].with_line += nodes[i].sign * share(i) * (solution * line(i));
     all.erase(std::remove_if(all.begin(),
                              all.end(),
                              [](const Factor &factor) {
                                return factor.of_force == 0. &&
-                                      !factor.is_on_line;
+                                      factor.share == 0.;
                              }),
               all.end());
+  }
+
+
+
+  double
+  LipForces::Sums::chosen() const
+  {
+    if (!(square > 0.))
+      return of_forces;
+    // 1 for a uniform pressure, 3/4 for one that rises from 0, 1/2 for one on
+    // half of the line.
+    const double     evenness = pressure * pressure / (area * square);
+    constexpr double none = 0.5, all = 0.7;
+    const double part = std::clamp((evenness - none) / (all - none), 0., 1.);
+    return of_forces + part * (with_line - of_forces);
   }
 
 
@@ -94,8 +109,13 @@ namespace Crevasse
       {
         sums.of_forces += factor.of_force * forces[factor.node];
         sums.with_line += factor.with_line * forces[factor.node];
-        if (factor.is_on_line)
-          sums.open_less_closed += normal[factor.node] > 0. ? -1. : 1.;
+        if (factor.share > 0.)
+          {
+            const double g = std::max(0., normal[factor.node]);
+            sums.area += factor.share * factor.area;
+            sums.pressure += factor.share * g;
+            sums.square += factor.share * g * g / factor.area;
+          }
       }
     return sums;
   }

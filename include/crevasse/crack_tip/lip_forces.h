@@ -52,21 +52,21 @@ namespace Crevasse
               const double             reach,
               const MPI_Comm           communicator);
 
-    /** What a rank adds to the sums over all ranks. */
+    /** What a rank adds to the sums over all ranks: the contribution without
+     * and with the line; area, pressure and its square over the nodes on the
+     * line.
+     */
     struct Sums
     {
-      double of_forces        = 0.;
-      double with_line        = 0.;
-      double open_less_closed = 0.; ///< number of nodes on the line
+      double of_forces = 0., with_line = 0.;
+      double area = 0., pressure = 0., square = 0.;
 
-      /** The contribution of sums over all ranks: with the line if half of its
-       * nodes are closed. Nodes nearer to the tip do not decide: whether they
-       * are closed may be as wrong as their forces. */
+      /** The contribution of sums over all ranks: with the line where it is
+       * under a smooth pressure, without where half of it is open. Between
+       * both it changes continuously, as K does when nodes close one by one.
+       */
       double
-      chosen() const
-      {
-        return open_less_closed > 0. ? of_forces : with_line;
-      }
+      chosen() const;
     };
 
     /** Sums of normal or tangential forces, of all local nodes.
@@ -89,7 +89,8 @@ namespace Crevasse
       std::size_t node;
       double      of_force; ///< without the line
       double      with_line;
-      bool        is_on_line;
+      double      share; ///< in the line; 0: not on it
+      double      area;
     };
 
     std::vector<Factor> all;
