@@ -11,17 +11,10 @@ namespace Crevasse
                      const InterfaceTip &interface,
                      const CrackMode     mode)
     : tip(tip)
-    , sides{{PlaneElasticity(interface.stiffness[0]),
-             PlaneElasticity(interface.stiffness[1])}}
-    , compliance{{sides[0].kappa() / sides[0].shear_modulus +
-                    1. / sides[1].shear_modulus,
-                  sides[1].kappa() / sides[1].shear_modulus +
-                    1. / sides[0].shear_modulus}}
-    , epsilon(interface.epsilon())
-    , length(interface.length)
+    , interface(interface)
     , C((mode == CrackMode::opening ? Complex(1., 0.) : Complex(0., -1.)) /
         (std::sqrt(2. * numbers::PI) *
-         (1. / compliance[0] + 1. / compliance[1])))
+         (1. / interface.compliance[0] + 1. / interface.compliance[1])))
   {
   }
 
@@ -36,8 +29,8 @@ namespace Crevasse
     if (!is_below && angle < -0.5 * numbers::PI)
       angle += 2. * numbers::PI;
     const Complex log(std::log(std::abs(Z)), angle);
-    return C * std::exp(-0.5 * log -
-                        Complex(0., epsilon) * (log - std::log(length)));
+    return C * std::exp(-0.5 * log - Complex(0., interface.epsilon()) *
+                                       (log - std::log(interface.length)));
   }
 
 
@@ -49,16 +42,17 @@ namespace Crevasse
     const Complex Z(local[0], local[1]);
     const Complex b(0., tip.curvature > 0. ? -1. : 1.);
     const Complex conj_z = std::conj(k * Z + b), image = 1. / conj_z;
-    const Complex Phi   = F(Z, is_below) / compliance[is_below];
-    const Complex slope = Complex(-0.5, -epsilon) * Phi / (k * Z);
-    const Complex Phi_e =
-      -F(-b * std::conj(Z) / conj_z, !is_below) / compliance[!is_below];
+    const Complex Phi   = F(Z, is_below) / interface.compliance[is_below];
+    const Complex slope = Complex(-0.5, -interface.epsilon()) * Phi / (k * Z);
+    const Complex Phi_e = -F(-b * std::conj(Z) / conj_z, !is_below) /
+                          interface.compliance[!is_below];
     // z − ζ, without cancellation.
     const Complex apart = -2. * tip.curvature * tip.height(local) / conj_z;
     const Complex of_conj =
       -apart * std::conj(slope) - image * image * (Phi_e + std::conj(Phi));
-    const double  mu   = 2. * sides[is_below].shear_modulus;
-    const Complex of_z = (sides[is_below].kappa() * Phi - std::conj(Phi)) / mu;
+    const PlaneElasticity &side = interface.sides[is_below];
+    const double           mu   = 2. * side.shear_modulus;
+    const Complex          of_z = (side.kappa() * Phi - std::conj(Phi)) / mu;
     const Complex sum = of_z + of_conj / mu, rest = of_z - of_conj / mu;
     const double  mean = 2. * Phi.real();
 

@@ -31,7 +31,7 @@ namespace Crevasse
       {region.weight(sizes[0]), region.weight(sizes[1])}};
     collectively(body.space.communicator(), [&] { require_arc(sizes[0]); });
     find_places(weights);
-    find_pairs(weights);
+    find_contact(weights);
   }
 
 
@@ -239,22 +239,20 @@ namespace Crevasse
     const Vector nodal = body.nodal_displacement(sample.state.displacement,
                                                  sample.state.instant,
                                                  sample.time);
-    const Jumps  jumps = jumps_of(nodal);
     Sums         sums{};
     add_area(t, nodal, sample.state.stress, material, sums);
-    add_contact(jumps, sample.state.contact_forces, zone, sums);
+    const MPI_Comm communicator = body.space.communicator();
+    const double   slip         = Utilities::MPI::sum(
+      add_contact(nodal, sample.state.contact_forces, zone, sums),
+      communicator);
+    const ArrayView<double> all(sums[0].data(), sums.size() * sums[0].size());
+    Utilities::MPI::sum(ArrayView<const double>(all), communicator, all);
 
-    using Complex = std::complex<double>;
-    double slip   = 0.;
-    for (std::size_t i = 0; i < pairs.size(); ++i)
-      if (pairs[i].s <= (1. + 1e-8) * zone)
-        slip += pairs[i].along * jumps[i];
+    using Complex            = std::complex<double>;
     const double           M = interface.modulus();
     std::array<Complex, 2> K, without_G;
     for (const unsigned int w : {0, 1})
       {
-        for (double &sum : sums[w])
-          sum = Utilities::MPI::sum(sum, body.space.communicator());
         const double size =
           std::sqrt(M * material.stiffness_factor * std::max(sums[w][0], 0.));
         without_G[w]       = 0.5 * M * Complex(sums[w][1], sums[w][2]);

@@ -25,7 +25,8 @@ namespace Crevasse
   class ArcField
   {
   public:
-    /** @param mode whose intensity is 1. */
+    /** Tip and interface must outlive the ArcField.
+     * @param mode whose intensity is 1. */
     ArcField(const CrackTip     &tip,
              const InterfaceTip &interface,
              const CrackMode     mode);
@@ -47,11 +48,9 @@ namespace Crevasse
     Complex
     F(const Complex &Z, const bool is_below) const;
 
-    const CrackTip                       tip;
-    const std::array<PlaneElasticity, 2> sides;
-    const std::array<double, 2>          compliance; ///< A and B
-    const double                         epsilon, length;
-    const Complex                        C;
+    const CrackTip     &tip;
+    const InterfaceTip &interface;
+    const Complex       C;
   };
 } // namespace Crevasse
 

@@ -79,8 +79,6 @@ namespace Crevasse
     /** For each of both squares G, and what G and each unit field have
      * together. */
     using Sums = std::array<std::array<double, 3>, 2>;
-    /** Displacement above relative to that below at all pairs. */
-    using Jumps = std::vector<dealii::Tensor<1, 2>>;
 
     /** Quadrature point in the larger square: V and its gradient for both
      * squares, times the share of the area, and unit fields. */
@@ -93,13 +91,14 @@ namespace Crevasse
       std::array<ArcField::Gradients, 2>  units;
     };
 
-    /** Two nodes that face each other on the lips in the larger square. */
-    struct Pair
+    /** Contact node of this rank in the larger square. */
+    struct ContactNode
     {
-      double               s;     ///< distance from the tip along the lips
-      dealii::Tensor<1, 2> along; ///< direction
-      /** First degrees of freedom above and below. */
-      std::array<dealii::types::global_dof_index, 2> sides;
+      std::size_t number; ///< in ContactBoundary::nodes
+      double      s;      ///< distance from the tip along the lips
+      /** Direction along the lips, times the sign that makes a jump of LipBasis
+       * that of the body above relative to the body below. */
+      dealii::Tensor<1, 2>  along;
       std::array<double, 2> weight; ///< q of both squares
       std::array<double, 2> units;  ///< n·[w,_s] of unit fields
     };
@@ -117,7 +116,7 @@ namespace Crevasse
     void
     find_places(const std::array<SquareWeight, 2> &weights);
     void
-    find_pairs(const std::array<SquareWeight, 2> &weights);
+    find_contact(const std::array<SquareWeight, 2> &weights);
 
     /** Gradients of the displacement at this rank's places, less the mean turn
      * of the larger square: forces in equilibrium do no work on a turn, but
@@ -133,17 +132,14 @@ namespace Crevasse
              const MaterialState<2> &material,
              Sums                   &sums) const;
 
-    /** Adds what lips of this rank that touch contribute.
-     * @param zone length whose pressure counts in G only. */
-    void
-    add_contact(const Jumps         &jumps,
+    /** Adds what lips of this rank that touch contribute. Collective.
+     * @param zone length whose pressure counts in G only.
+     * @return the slip in the zone, of the nodes of this rank. */
+    double
+    add_contact(const Vector        &nodal,
                 const ContactForces &forces,
                 const double         zone,
                 Sums                &sums) const;
-
-    /** Collective. */
-    Jumps
-    jumps_of(const Vector &nodal) const;
 
     const Body<2>                &body;
     const PointGeometry          &points;
@@ -152,9 +148,7 @@ namespace Crevasse
     const std::array<ArcField, 2> units; ///< of K_I = 1 and K_II = 1
     std::vector<std::pair<unsigned int, Expression>> body_force;
     std::vector<Place>                               places; ///< ascending
-    std::vector<Pair>                                pairs;  ///< of all ranks
-    /** This rank's contact nodes and their pairs. */
-    std::vector<std::pair<std::size_t, std::size_t>> contact;
+    std::vector<ContactNode>                         contact;
   };
 } // namespace Crevasse
 

@@ -66,10 +66,8 @@ namespace Crevasse
              (2. * dealii::numbers::PI);
     }
 
-    const Sides  stiffness;
-    const double length; ///< length l
-
-  private:
+    const Sides                          stiffness;
+    const double                         length; ///< length l
     const std::array<PlaneElasticity, 2> sides;
     const std::array<double, 2>          compliance; ///< A and B
   };
