@@ -240,15 +240,15 @@ namespace Crevasse
                         const MaterialState<3> &material) const
   {
     std::vector<double> K = sums_of(sample.state.stress);
-    for (const Kernel &kernel : kernels)
-      {
-        double &sum = K[kernel.vertex];
-        if (material.thermal_strain != nullptr)
-          sum -= material.stiffness_factor *
-                 (kernel.of_strain * (*material.thermal_strain)[kernel.point]);
-        for (const auto &[d, force] : body_force)
-          sum -= kernel.of_force[d] * force.value(kernel.location, t);
-      }
+    if (material.thermal_strain != nullptr)
+      for (const Kernel &kernel : kernels)
+        K[kernel.vertex] -=
+          material.stiffness_factor *
+          (kernel.of_strain * (*material.thermal_strain)[kernel.point]);
+    for (const auto &[d, force] : body_force)
+      for (const Kernel &kernel : kernels)
+        K[kernel.vertex] -=
+          kernel.of_force[d] * force.value(kernel.location, t);
     for (const LoadedPoint &place : loaded)
       K[place.vertex] -=
         place.of_force *
@@ -277,32 +277,21 @@ namespace Crevasse
   FrontIntegral::at_vertices(std::vector<double>  K,
                              const ContactForces &forces) const
   {
-    const auto         &vertices = region.vertices;
-    const std::size_t   n        = K.size();
-    std::vector<double> sums(6 * n); // K, and LipForces::Sums
-    std::copy(K.begin(), K.end(), sums.begin());
+    const auto                  &vertices = region.vertices;
+    std::vector<LipForces::Sums> sums(K.size());
+    for (std::size_t v = 0; v < K.size(); ++v)
+      sums[v][LipForces::of_forces] = sums[v][LipForces::with_line] = K[v];
     for (const auto &[vertex, component, of_forces] : of_contact_forces)
-      {
-        const LipForces::Sums lips =
-          of_forces.sums(component == 0 ? forces.normal
-                                        : forces.tangential[component - 1],
-                         forces.normal);
-        double *at = &sums[n + 5 * vertex];
-        for (const double value : {lips.of_forces,
-                                   lips.with_line,
-                                   lips.area,
-                                   lips.pressure,
-                                   lips.square})
-          *at++ += value;
-      }
-    Utilities::MPI::sum(sums, body.space.communicator(), sums);
-    for (std::size_t v = 0; v < n; ++v)
-      {
-        const double *at = &sums[n + 5 * v];
-        K[v]             = (sums[v] +
-                LipForces::Sums{at[0], at[1], at[2], at[3], at[4]}.chosen()) /
-               vertices[v].integral();
-      }
+      of_forces.add(component == 0 ? forces.normal
+                                   : forces.tangential[component - 1],
+                    forces.normal,
+                    sums[vertex]);
+    const ArrayView<double> all(sums[0].data(), sums.size() * sums[0].size());
+    Utilities::MPI::sum(ArrayView<const double>(all),
+                        body.space.communicator(),
+                        all);
+    for (std::size_t v = 0; v < K.size(); ++v)
+      K[v] = LipForces::chosen(sums[v]) / vertices[v].integral();
     if (fields.mode == CrackMode::tearing)
       for (std::size_t v = 0; v < K.size(); ++v)
         if (const auto &end = vertices[v]; end.is_end())

@@ -253,22 +253,19 @@ namespace Crevasse
       sum += 4. / (kappa + 1.) *
              (of_pressure_on_bends[0][i] + kappa * of_pressure_on_bends[1][i]) *
              normal[i];
-    const LipForces::Sums lips =
-      of_contact_forces.sums(mode == CrackMode::opening ||
-                                 contact_forces.tangential.empty()
-                               ? normal
-                               : contact_forces.tangential[0],
-                             normal);
-    std::vector<double> sums{sum,
-                             lips.of_forces,
-                             lips.with_line,
-                             lips.area,
-                             lips.pressure,
-                             lips.square};
-    Utilities::MPI::sum(sums, body.space.communicator(), sums);
-    return sums[0] +
-           LipForces::Sums{sums[1], sums[2], sums[3], sums[4], sums[5]}
-             .chosen();
+    LipForces::Sums sums{};
+    sums[LipForces::of_forces] = sums[LipForces::with_line] = sum;
+    of_contact_forces.add(mode == CrackMode::opening ||
+                              contact_forces.tangential.empty()
+                            ? normal
+                            : contact_forces.tangential[0],
+                          normal,
+                          sums);
+    const ArrayView<double> all(sums.data(), sums.size());
+    Utilities::MPI::sum(ArrayView<const double>(all),
+                        body.space.communicator(),
+                        all);
+    return LipForces::chosen(sums);
   }
 
 

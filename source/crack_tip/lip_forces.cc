@@ -42,7 +42,7 @@ namespace Crevasse
         if ((all[i].share = share(i)) > 0.)
           {
             ++n;
-            matrix += share(i) * nodes[i].area *
+            matrix += all[i].share * nodes[i].area *
                       symmetrize(outer_product(line(i), line(i)));
           }
       matrix = Utilities::MPI::sum(matrix, communicator);
@@ -73,51 +73,44 @@ namespace Crevasse
     const Tensor<1, 2> solution = invert(matrix) * of_coefficients;
     for (std::size_t i = 0; i < nodes.size(); ++i)
       if (all[i].share > 0.)
-        all[i].with_line += nodes[i].sign * share(i) * (solution * line(i));
-    all.erase(std::remove_if(all.begin(),
-                             all.end(),
-                             [](const Factor &factor) {
-                               return factor.of_force == 0. &&
-                                      factor.share == 0.;
-                             }),
-              all.end());
+        all[i].with_line += nodes[i].sign * all[i].share * (solution * line(i));
   }
 
 
 
   double
-  LipForces::Sums::chosen() const
+  LipForces::chosen(const Sums &sums)
   {
-    if (!(square > 0.))
-      return of_forces;
+    if (!(sums[square] > 0.))
+      return sums[of_forces];
     // 1 for a uniform pressure, 3/4 for one that rises from 0, 1/2 for one on
     // half of the line.
-    const double     evenness = pressure * pressure / (area * square);
+    const double evenness =
+      sums[pressure] * sums[pressure] / (sums[area] * sums[square]);
     constexpr double none = 0.5, all = 0.7;
     const double part = std::clamp((evenness - none) / (all - none), 0., 1.);
-    return of_forces + part * (with_line - of_forces);
+    return sums[of_forces] + part * (sums[with_line] - sums[of_forces]);
   }
 
 
 
-  LipForces::Sums
-  LipForces::sums(const std::vector<double> &forces,
-                  const std::vector<double> &normal) const
+  void
+  LipForces::add(const std::vector<double> &forces,
+                 const std::vector<double> &normal,
+                 Sums                      &sums) const
   {
-    Sums sums;
     for (const Factor &factor : all)
       {
-        sums.of_forces += factor.of_force * forces[factor.node];
-        sums.with_line += factor.with_line * forces[factor.node];
+        sums[of_forces] += factor.of_force * forces[factor.node];
+        sums[with_line] += factor.with_line * forces[factor.node];
         if (factor.share > 0.)
           {
             const double g = std::max(0., normal[factor.node]);
-            sums.area += factor.share * factor.area;
-            sums.pressure += factor.share * g;
-            sums.square += factor.share * g * g / factor.area;
+            sums[area] += factor.share * factor.area;
+            sums[pressure] += factor.share * g;
+            sums[square] += factor.share * g * g / factor.area;
           }
       }
-    return sums;
   }
 
 

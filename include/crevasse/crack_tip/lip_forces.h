@@ -6,6 +6,7 @@
 
 #include <deal.II/base/mpi.h>
 
+#include <array>
 #include <vector>
 
 namespace Crevasse
@@ -54,26 +55,30 @@ namespace Crevasse
 
     /** What a rank adds to the sums over all ranks: the contribution without
      * and with the line; area, pressure and its square over the nodes on the
-     * line.
-     */
-    struct Sums
+     * line. */
+    enum Part
     {
-      double of_forces = 0., with_line = 0.;
-      double area = 0., pressure = 0., square = 0.;
-
-      /** The contribution of sums over all ranks: with the line where it is
-       * under a smooth pressure, without where half of it is open. Between
-       * both it changes continuously, as K does when nodes close one by one.
-       */
-      double
-      chosen() const;
+      of_forces,
+      with_line,
+      area,
+      pressure,
+      square,
+      n_parts
     };
+    using Sums = std::array<double, n_parts>;
 
-    /** Sums of normal or tangential forces, of all local nodes.
+    /** Adds the sums of normal or tangential forces, of all local nodes.
      * @param normal normal forces. */
-    Sums
-    sums(const std::vector<double> &forces,
-         const std::vector<double> &normal) const;
+    void
+    add(const std::vector<double> &forces,
+        const std::vector<double> &normal,
+        Sums                      &sums) const;
+
+    /** The contribution of sums over all ranks: with the line where it is under
+     * a smooth pressure, without where half of it is open. Between both it
+     * changes continuously, as K does when nodes close one by one. */
+    static double
+    chosen(const Sums &sums);
 
     /** Multiplies the contribution. */
     void

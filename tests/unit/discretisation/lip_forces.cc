@@ -47,7 +47,9 @@ namespace
       forces.push_back(
         node.sign * node.area *
         (node.distance < wrong_up_to ? -3. : 2. - node.distance));
-    return lips.sums(forces, normal).chosen();
+    LipForces::Sums sums{};
+    lips.add(forces, normal, sums);
+    return LipForces::chosen(sums);
   }
 } // namespace
 
