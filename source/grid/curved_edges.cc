@@ -55,32 +55,31 @@ namespace Crevasse
 
 
     /** Parabola through the ends of an edge and its middle. */
-    template <int dim>
-    class Parabola : public Manifold<dim>
+    class Parabola : public Manifold<3>
     {
     public:
-      Parabola(const Point<dim> &begin,
-               const Point<dim> &middle,
-               const Point<dim> &end)
+      Parabola(const Point<3> &begin,
+               const Point<3> &middle,
+               const Point<3> &end)
         : begin(begin)
         , middle(middle)
         , end(end)
       {
       }
 
-      std::unique_ptr<Manifold<dim>>
+      std::unique_ptr<Manifold<3>>
       clone() const override
       {
         return std::make_unique<Parabola>(*this);
       }
 
       /** Point with the parameter that the mean of points has on the chord. */
-      Point<dim>
-      get_new_point(const ArrayView<const Point<dim>> &points,
-                    const ArrayView<const double>     &weights) const override
+      Point<3>
+      get_new_point(const ArrayView<const Point<3>> &points,
+                    const ArrayView<const double>   &weights) const override
       {
-        const Tensor<1, dim> chord = end - begin;
-        double               u     = 0.;
+        const Tensor<1, 3> chord = end - begin;
+        double             u     = 0.;
         for (std::size_t i = 0; i < points.size(); ++i)
           u += weights[i] * ((points[i] - begin) * chord);
         u /= chord.norm_square();
@@ -89,7 +88,7 @@ namespace Crevasse
       }
 
     private:
-      const Point<dim> begin, middle, end;
+      const Point<3> begin, middle, end;
     };
   } // namespace
 
@@ -136,14 +135,13 @@ namespace Crevasse
 
 
 
-  template <int dim>
   void
-  set_parabola(const typename Triangulation<dim>::line_iterator &line,
-               const Point<dim>                                 &middle,
-               Triangulation<dim>                               &mesh)
+  set_parabola(const Triangulation<3>::line_iterator &line,
+               const Point<3>                        &middle,
+               Triangulation<3>                      &mesh)
   {
     mesh.set_manifold(line->manifold_id(),
-                      Parabola<dim>(line->vertex(0), middle, line->vertex(1)));
+                      Parabola(line->vertex(0), middle, line->vertex(1)));
   }
 
 
@@ -195,7 +193,6 @@ namespace Crevasse
 
   template decltype(set_curved_edges<2>)   set_curved_edges<2>;
   template decltype(set_curved_edges<3>)   set_curved_edges<3>;
-  template decltype(set_parabola<3>)       set_parabola<3>;
   template decltype(has_curved_edges<2>)   has_curved_edges<2>;
   template decltype(has_curved_edges<3>)   has_curved_edges<3>;
   template decltype(require_flat_faces<2>) require_flat_faces<2>;

@@ -69,13 +69,47 @@ namespace Crevasse
 
 
 
-    using Line = Triangulation<3>::line_iterator;
-
-    bool
-    is_between(const Line &line, const Point<3> &a, const Point<3> &b)
+    /** Calls f(i, cell, line) for the coarse mesh's edges between the point i
+     * of a front and the next but step − 1; of each cell beside them. */
+    template <typename Function>
+    void
+    for_each_edge(const FrontCurve::Chain &chain,
+                  const Triangulation<3>  &mesh,
+                  const unsigned int       step,
+                  const Function          &f)
     {
-      return (line->vertex(0) == a && line->vertex(1) == b) ||
-             (line->vertex(0) == b && line->vertex(1) == a);
+      for (const auto &cell : mesh.cell_iterators_on_level(0))
+        for (const unsigned int l : cell->line_indices())
+          for (unsigned int i = 0; i + step < chain.points.size(); ++i)
+            {
+              const auto      line = cell->line(l);
+              const Point<3> &a = chain.points[i], &b = chain.points[i + step];
+              if ((line->vertex(0) == a && line->vertex(1) == b) ||
+                  (line->vertex(0) == b && line->vertex(1) == a))
+                f(i, cell, line);
+            }
+    }
+
+
+
+    /** Middle of the parabola between two points of a front with its tangents
+     * there; none where they do not meet between them, as of an edge that bends
+     * to both sides. */
+    std::optional<Point<3>>
+    middle_of_parabola(const FrontCurve::Chain &chain,
+                       const unsigned int       begin,
+                       const unsigned int       end)
+    {
+      const Tensor<1, 3> &at_begin = chain.tangents[begin],
+                         &at_end   = chain.tangents[end];
+      const Tensor<1, 3> chord     = chain.points[end] - chain.points[begin];
+      const Tensor<1, 3> turn      = cross_product_3d(at_begin, at_end);
+      const double       to_corner =
+        cross_product_3d(chord, at_end) * turn / turn.norm_square();
+      const Tensor<1, 3> corner = to_corner * at_begin; // from the begin
+      if (!(to_corner > 0. && (chord - corner) * at_end > 0.))
+        return {};
+      return chain.points[begin] + 0.25 * chord + 0.5 * corner;
     }
   } // namespace
 
@@ -86,18 +120,17 @@ namespace Crevasse
   {
     std::map<unsigned int, Point<3>> middles; // by segment
     bool                             is_curved = false;
-    for (const auto &cell : mesh.cell_iterators_on_level(0))
-      for (const unsigned int l : cell->line_indices())
-        for (unsigned int i = 0; i < chain.n_segments(); ++i)
-          {
-            const auto      line = cell->line(l);
-            const Point<3> &a = chain.points[i], &b = chain.points[i + 1];
-            if (!is_between(line, a, b))
-              continue;
-            middles[i] = line->center(true);
-            is_curved  = is_curved || distance_from_edge(middles[i], a, b) >
-                                       1e-6 * a.distance(b);
-          }
+    for_each_edge(chain,
+                  mesh,
+                  1,
+                  [&](const unsigned int i, const auto &, const auto &line) {
+                    const Point<3> &a = chain.points[i],
+                                   &b = chain.points[i + 1];
+                    middles[i]        = line->center(true);
+                    is_curved =
+                      is_curved || distance_from_edge(middles[i], a, b) >
+                                     1e-6 * a.distance(b);
+                  });
     if (is_curved)
       for (auto at = middles.rbegin(); at != middles.rend(); ++at)
         chain.points.insert(chain.points.begin() + at->first + 1, at->second);
@@ -192,38 +225,26 @@ namespace Crevasse
     // Parts of the chord, and of the smallest edge of the cell.
     constexpr double least = 2.5e-4, most = 0.03, most_across = 0.1;
     double           largest = 0.;
-    for (const auto &cell : mesh.cell_iterators_on_level(0))
-      for (const unsigned int l : cell->line_indices())
-        for (const FrontCurve::Chain &chain : curve->chains())
-          for (unsigned int i = 1; i < chain.n_segments(); ++i)
-            {
-              const auto      line = cell->line(l);
-              const Point<3> &a = chain.points[i - 1], &b = chain.points[i + 1];
-              if (line->manifold_id() == numbers::flat_manifold_id ||
-                  !is_between(line, a, b))
-                continue;
-              const Tensor<1, 3> &at_a = chain.tangents[i - 1],
-                                 &at_b = chain.tangents[i + 1];
-              const Tensor<1, 3> turn  = cross_product_3d(at_a, at_b);
-              const Tensor<1, 3> chord = b - a;
-              const double       to_corner =
-                cross_product_3d(chord, at_b) * turn / turn.norm_square();
-              const Tensor<1, 3> from_a = to_corner * at_a;
-              // The tangents of an edge that bends to both sides do not meet
-              // between them.
-              if (!(to_corner > 0. && (chord - from_a) * at_b > 0.))
-                continue;
-              const Point<3>     middle = a + 0.25 * chord + 0.5 * from_a;
-              const Tensor<1, 3> shift  = middle - line->center(true);
-              const double       move   = shift.norm() / chord.norm();
-              const double       across =
-                cross_product_3d(shift, chord).norm() / chord.norm();
-              if (move < least || move > most ||
-                  across > most_across * cell->minimum_vertex_distance())
-                continue;
-              set_parabola<3>(line, middle, mesh);
-              largest = std::max(largest, move);
-            }
+    for (const FrontCurve::Chain &chain : curve->chains())
+      for_each_edge(
+        chain,
+        mesh,
+        2,
+        [&](const unsigned int i, const auto &cell, const auto &line) {
+          const auto middle = middle_of_parabola(chain, i, i + 2);
+          if (!middle || line->manifold_id() == numbers::flat_manifold_id)
+            return;
+          const Tensor<1, 3> chord = chain.points[i + 2] - chain.points[i];
+          const Tensor<1, 3> shift = *middle - line->center(true);
+          const double       move  = shift.norm() / chord.norm();
+          const double       across =
+            cross_product_3d(shift, chord).norm() / chord.norm();
+          if (move < least || move > most ||
+              across > most_across * cell->minimum_vertex_distance())
+            return;
+          set_parabola(line, *middle, mesh);
+          largest = std::max(largest, move);
+        });
     return largest;
   }
 } // namespace Crevasse

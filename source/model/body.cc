@@ -218,8 +218,7 @@ namespace Crevasse
   std::shared_ptr<Mesh<dim>>
   make_scene_mesh(const Scene &scene, const MPI_Comm communicator, Log *log)
   {
-    Log *const first_log = log;
-    const auto unrefined = [&scene, communicator, &log, first_log]() {
+    const auto unrefined = [&scene, communicator, &log]() {
       auto mesh = std::make_shared<Mesh<dim>>(communicator);
       make_mesh<dim>(scene.geometry,
                      *mesh,
@@ -228,7 +227,6 @@ namespace Crevasse
                        for (const std::string &remark : cells.remarks)
                          if (log != nullptr)
                            log->line("  mesh file: " + remark);
-                       log = nullptr; // several meshes may be made
                      },
                      {boundary_roles(scene), compared_materials(scene)});
       // The centre of a face between arcs would have to lie on its surface.
@@ -241,7 +239,8 @@ namespace Crevasse
           "edges; use a finer mesh file, with [Geometry] Refinements = 0 and "
           "[Refinement] Strategy = none.");
       if constexpr (dim == 3)
-        smooth_fronts_of(scene, *mesh, first_log);
+        smooth_fronts_of(scene, *mesh, log);
+      log = nullptr; // several meshes may be made
       return mesh;
     };
     RefinementParameters refinement = scene.refinement;

@@ -31,11 +31,10 @@ namespace Crevasse
 
   /** Makes an edge that is curved the parabola through its ends and another
    * middle; it must not be divided. */
-  template <int dim>
   void
-  set_parabola(const typename dealii::Triangulation<dim>::line_iterator &line,
-               const dealii::Point<dim>                                 &middle,
-               dealii::Triangulation<dim>                               &mesh);
+  set_parabola(const dealii::Triangulation<3>::line_iterator &line,
+               const dealii::Point<3>                        &middle,
+               dealii::Triangulation<3>                      &mesh);
 
   /** Projects a point to the circle through three points, unless they lie on a
    * straight line. @throw SceneError as set_curved_edges() does. */
