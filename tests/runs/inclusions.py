@@ -1,5 +1,5 @@
-"""Circular inclusions of the radius 1 in round plates, debonded along arcs: meshes of
-second order, scenes, and K of the infinite plate."""
+"""Scenes of cracks between two materials; circular inclusions of the radius 1 in round
+plates, debonded along arcs: meshes of second order, and K of the infinite plate."""
 
 import cmath
 import math
@@ -15,7 +15,7 @@ subsection Geometry
 end
 subsection Boundary
   set Open crack   = 7
-  set Loaded       = 1
+  set Loaded       = {loaded}
   set Fixed points = {points}
 end
 subsection Material
@@ -45,6 +45,30 @@ subsection Output
   set Load work = true
 end
 """
+
+
+def axes(degrees):
+    """Cosine and sine of a turn, and formulas of the coordinates before it."""
+    c, s = math.cos(math.radians(degrees)), math.sin(math.radians(degrees))
+    return c, s, f"({c!r}*x+{s!r}*y)", f"({c!r}*y-{s!r}*x)"
+
+
+def turned_scene(degrees, place, along, across, bodies, stress, width, loaded, **more):
+    """A body turned with its loads, which are given along both axes before; bodies have E
+    in the unit of stress, and nu. It is held at |x| = width on its middle line."""
+    c, s, *_ = axes(degrees)
+    points = "; ".join("{!r}, {!r}: {}".format(*place((x, 0.)), components)
+                       for x, components in ((width, "1, 2"),
+                                             (-width, "2" if abs(c) > abs(s) else "1")))
+    return SCENE.format(
+        points=points, loaded=loaded, E=[stress * E for E, _ in bodies],
+        nu=[nu for _, nu in bodies],
+        load=f"{c!r}*({along}) - {s!r}*({across}); {s!r}*({along}) + {c!r}*({across})",
+        **more)
+
+
+def K_of(tip):
+    return complex(tip["K_I"]["largest"], tip["K_II"]["largest"])
 
 
 class SecondOrder:
@@ -152,7 +176,7 @@ def bent_plate(name, radius=None, cycles=6):
             mesh.edge(7, lambda x: at(i + x, n // 2))
     ends = [at(i, n // 2) for i in (0, n)]
     return SCENE.format(
-        mesh=mesh.write(f"{name}.msh"), state="stress", cycles=cycles,
+        mesh=mesh.write(f"{name}.msh"), state="stress", cycles=cycles, loaded=1,
         E=[INCLUSION[0], PLATE[0]], nu=[INCLUSION[1], PLATE[1]], load="0; if(y > 0, 7, -7)",
         points="; ".join("{!r}, {!r}: {}".format(*end, components)
                          for end, components in zip(ends, ("1, 2", "2"))))
@@ -169,17 +193,11 @@ def debond(name, crack, width=10., far=(0., 7., 0.), inclusion=INCLUSION, plate=
     def place(point):
         return tuple(length * x for x in turn(point))
     mesh = write_inclusion(f"{name}.msh", n, width, crack, place, shape)
-    c, s = math.cos(math.radians(degrees)), math.sin(math.radians(degrees))
-    x, y = f"({c!r}*x+{s!r}*y)", f"({c!r}*y-{s!r}*x)"
+    _, _, x, y = axes(degrees)
     s_11, s_22, s_12 = (f * stress / (width * length) for f in far)
     along, across = f"{s_11!r}*{x}+{s_12!r}*{y}", f"{s_12!r}*{x}+{s_22!r}*{y}"
-    points = "; ".join("{!r}, {!r}: {}".format(*place((x, 0.)), components)
-                       for x, components in ((width, "1, 2"),
-                                             (-width, "2" if abs(c) > abs(s) else "1")))
-    return SCENE.format(
-        mesh=mesh, points=points, state=state, cycles=cycles,
-        E=[stress * inclusion[0], stress * plate[0]], nu=[inclusion[1], plate[1]],
-        load=f"{c!r}*({along}) - {s!r}*({across}); {s!r}*({along}) + {c!r}*({across})")
+    return turned_scene(degrees, place, along, across, (inclusion, plate), stress, width, 1,
+                        mesh=mesh, state=state, cycles=cycles)
 
 
 def exact(crack, far, inclusion=INCLUSION, plate=PLATE, state="stress"):

@@ -8,7 +8,7 @@ import pathlib
 
 from crevasse_run import (check, check_below, execute, full, overrides, plain, run, run_on,
                           tier)
-from inclusions import PLATE, bent_plate, debond, exact
+from inclusions import K_of, PLATE, bent_plate, debond, exact
 
 CLOSES = ["Boundary/Crack=7", "Boundary/Open crack=none"]
 LOADS = (0., 7., 2.)
@@ -18,10 +18,6 @@ def tips_of(scene, name, settings=()):
     """Tips in the order of the angles of a debond above the middle."""
     tips = run(scene, name, list(settings)).summary["crack_tips"]
     return sorted(tips, key=lambda tip: -tip["position"][0])
-
-
-def K_of(tip):
-    return complex(tip["K_I"]["largest"], tip["K_II"]["largest"])
 
 
 def error_of(tip):

@@ -11,49 +11,13 @@ import sys
 import cracked
 from crevasse_run import (SOURCE, check, check_below, execute, full, overrides, plain,
                           run, run_on, tier)
+from inclusions import K_of, SCENE, axes, turned_scene
 
 sys.path.insert(0, str(SOURCE / "source" / "python"))
 from crevasse import report as make_report  # noqa: E402
 
 # Above and below: E, nu.
 ABOVE, BELOW = (10., 0.2), (1., 0.35)
-SCENE = """
-subsection Geometry
-  set Shape     = mesh file
-  set Mesh file = {mesh}
-end
-subsection Boundary
-  set Open crack   = 7
-  set Loaded       = 1, 2, 3, 4
-  set Fixed points = {points}
-end
-subsection Material
-  set Plane state   = plane {state}
-  set Young modulus = if(material < 1.5, {E[0]}, {E[1]})
-  set Poisson ratio = if(material < 1.5, {nu[0]}, {nu[1]})
-  set Viscosity     = none
-end
-subsection Loads
-  set Traction = {load}
-end
-subsection Discretisation
-  set Degree = 2
-end
-subsection Refinement
-  set Strategy = tip
-  set Cycles   = {cycles}
-end
-subsection Time integration
-  set Steps per period = 1
-end
-subsection Crack tip
-  set Stress intensity = true
-end
-subsection Output
-  set Fields    = none
-  set Load work = true
-end
-"""
 SIDES = [0, 0.25, 0.5, 0.75, 1, 1.25, 1.5, 2, 3, 5, 9]
 UP = [0, 0.25, 0.5, 0.75, 1, 1.5, 2, 3, 5, 9]
 
@@ -82,28 +46,18 @@ def plate(name, width=10., far=(2., 7., 4.), above=ABOVE, below=BELOW, crack=(-1
     (E_1, nu_1), (E_2, nu_2) = plane(*above), plane(*below)
     s_11, s_22, s_12 = far
     lower = E_2 * (s_11 - nu_1 * s_22) / E_1 + nu_2 * s_22
-    c, s = math.cos(math.radians(degrees)), math.sin(math.radians(degrees))
-    x, y = f"({c!r}*x+{s!r}*y)", f"({c!r}*y-{s!r}*x)"
+    _, _, x, y = axes(degrees)
     most = width * length * (1 - 1e-6)
     side = f"(if({x}>{most}, 1, 0)-if({x}<-{most}, 1, 0))"
     top = f"(if({y}>{most}, 1, 0)-if({y}<-{most}, 1, 0))"
     along = f"{stress}*({side}*if({y}>0, {s_11}, {lower!r}) + {top}*{s_12})"
     across = f"{stress}*({side}*{s_12} + {top}*{s_22})"
-    points = "; ".join("{!r}, {!r}: {}".format(*place((x, 0.)), components)
-                       for x, components in ((width, "1, 2"),
-                                             (-width, "2" if abs(c) > abs(s) else "1")))
-    return SCENE.format(
-        mesh=mesh, points=points, state=state, cycles=cycles,
-        E=[stress * above[0], stress * below[0]], nu=[above[1], below[1]],
-        load=f"{c!r}*({along}) - {s!r}*({across}); {s!r}*({along}) + {c!r}*({across})")
+    return turned_scene(degrees, place, along, across, (above, below), stress, width,
+                        "1, 2, 3, 4", mesh=mesh, state=state, cycles=cycles)
 
 
 def tips_of(scene, name, settings=()):
     return run(scene, name, list(settings)).summary["crack_tips"]
-
-
-def K_of(tip):
-    return complex(tip["K_I"]["largest"], tip["K_II"]["largest"])
 
 
 def index(above, below, state):
@@ -197,7 +151,7 @@ def test_layers():
     for E in ((10., 1.), (1., 10.)):
         scene = SCENE.format(
             mesh=mesh, points="8, 0: 1, 2; 7, 0: 2", state="stress", cycles=8, E=E,
-            nu=(0.2, 0.35),
+            nu=(0.2, 0.35), loaded="1, 2, 3, 4",
             load="if(x < -7.9999, if(y > 0, 12*y - 6, -12*y - 6), 0); 0")
         tip, = tips_of(scene, "layers", ["Geometry/Refinements=1"])
         G = tip["energy_release_rate"]["largest"]
