@@ -349,7 +349,8 @@ ORDERS = {"pressed": ("1 + 0.5*sin(2*pi*t) + 0.4*x", "0.5*cos(2*pi*t)"),
 @full
 def test_order():
     """With its events located, the error of displacements over a period falls with the
-    square of the steps, nearly."""
+    square of the steps, nearly. K depends on few pairs next to the tip, of which some slide
+    in one run and stick in another; it does not jump."""
     for name, loads in ORDERS.items():
         text = scene(f"order_{name}", *loads, """
 subsection Periodic state
@@ -365,10 +366,15 @@ end
                     friction(0.4), f"Time integration/Steps per period={n}",
                     f"Time integration/Locate contact events={events}",
                     "Output/Probes=beside: 0.5, 0.5"])
-                found.append([row for key in ("u_1", "u_2") for row in
-                              results.table("probe_beside.csv")[key][::n // 20]])
-            errors[events] = [max(abs(x - y) for x, y in zip(f, found[-1], strict=True))
-                              for f in found[:-1]]
+                found.append([[row for key in keys for row in
+                               results.table(table)[key][::n // 20]] for table, keys in (
+                                   ("probe_beside.csv", ("u_1", "u_2")),
+                                   ("crack_tip_1.csv", ("K_I", "K_II")))])
+            errors[events], of_K = ([max(abs(x - y) for x, y in zip(
+                f[k], found[-1][k], strict=True)) for f in found[:-1]] for k in (0, 1))
+            print(f"{name}, events {events}: errors of K {of_K}")
+            if events == "true":
+                check_below(of_K[-1], 5e-4, f"{name}: error of K")
         order = {events: math.log2(found[0] / found[-1]) / 3
                  for events, found in errors.items()}
         print(f"{name}: errors {errors}, orders {order}")

@@ -75,6 +75,14 @@ def users(names):
 
 def test_user():
     users(["square, graded modulus"])
+    # Cells at the tip are graded whatever the others are.
+    name = "square, graded modulus"
+    case = CASES[name]
+    results = cases.measured(name, case, "user", [
+        *cases.DEFAULTS, *case.of_user, "Geometry/Refinements=1"])
+    check(results.summary["levels"] == 8, f"{results.summary['levels']} levels")
+    check_close(cases.numbers(results)[0]["K_I"] / CONVERGED[name], 1, 1e-2,
+                f"{name}, halved")
 
 
 @full

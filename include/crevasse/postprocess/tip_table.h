@@ -51,9 +51,9 @@ namespace Crevasse
    *
    * K_I_singular and K_II_singular are the coefficients of the singular
    * functions of an elastic body. The errors are those of
-   * StressIntensity::Estimate or, if larger, √(K_I² + K_II²) times the
-   * MeshErrors; that of K_I up to four times this if integral and fit
-   * differ by more. They are not bounds.
+   * StressIntensity::Estimate or, if larger, those of MeshErrors; that of K_I
+   * up to four times this if integral and fit differ by more. They are not
+   * bounds.
    */
   class TipTable : public PeriodObserver
   {

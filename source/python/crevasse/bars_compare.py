@@ -24,7 +24,8 @@ FINDINGS = ("K_I_largest", "K_I_smallest", "K_II_largest", "K_II_smallest",
             "K_III_largest", "K_III_smallest", "Delta_K", "K_opening", "Delta_K_eff",
             "equivalent_intensity", "energy_release_rate", "T_stress_largest",
             "T_stress_smallest", "growth_angle", "C_t_largest", "C_t_last", "C_star",
-            "C_star_largest", "C_star_smallest", "da_dN", "da_dN_fatigue", "da_dN_creep", "opening", "closed_part", "drift")
+            "C_star_largest", "C_star_smallest", "da_dN", "da_dN_fatigue", "da_dN_creep",
+            "opening", "closed_part", "drift")
 
 
 class Histories:
