@@ -66,6 +66,12 @@ namespace Crevasse
     end =
       std::min(part * curve.reach(), Utilities::MPI::min(end, communicator));
     measure_cells(space);
+    if (end < 1e-6 * cell_radius)
+      throw SceneError(
+        wanted_by +
+        ": the crack front touches a boundary that is loaded, clamped or "
+        "displaced, or a lip of another crack, and the field there is not "
+        "known. Let the front end at a free boundary or a plane of symmetry.");
     if (end < cell_radius * (1. - 1e-8))
       throw SceneError(
         wanted_by + ": the cells at the crack front reach " +
@@ -73,8 +79,8 @@ namespace Crevasse
         " from it, but another boundary, or the curvature of the front, limits "
         "the tube to " +
         Text::from_number(end) +
-        ". Make these cells smaller ([Geometry] Subdivisions or the mesh "
-        "file, or [Refinement] Strategy = tip).");
+        ". Make these cells smaller, also along the front ([Geometry] "
+        "Subdivisions or the mesh file, or [Refinement] Strategy = tip).");
   }
 
 

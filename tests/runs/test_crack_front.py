@@ -265,6 +265,8 @@ def test_refusals():
                             "0, 0, 0, 0, 0, 3"], "at the crack front is not isotropic"),
             ("coarse mesh", ["Geometry/Subdivisions=8, 1, 3"],
              r"reach 1 from it, but another boundary, .* limits the tube to 0\.5"),
+            ("loaded end", ["Boundary/Symmetry=2, 5", "Boundary/Loaded=3, 6"],
+             "the crack front touches a boundary that is loaded"),
             ("creep", ["Material/Viscosity=isotropic", "Material/Viscous modulus=1e6",
                        "Material/Viscous Poisson ratio=0.45"],
              "viscosity is proportional to stiffness"),
