@@ -12,26 +12,6 @@ namespace Crevasse
 
   namespace
   {
-    /** Gauss points clustered at both ends, x = u³(10 − 15u + 6u²): for
-     * products with r^(−3/2) at any edge of cells at the front, and with
-     * r^(−1/2) on the lip. */
-    Quadrature<1>
-    crowded_rule(const unsigned int n)
-    {
-      const QGauss<1>       gauss(n);
-      std::vector<Point<1>> points;
-      std::vector<double>   weights;
-      for (unsigned int k = 0; k < n; ++k)
-        {
-          const double u = gauss.point(k)[0], v = 1. - u;
-          points.emplace_back(u * u * u * (10. - 15. * u + 6. * u * u));
-          weights.push_back(gauss.weight(k) * 30. * u * u * v * v);
-        }
-      return Quadrature<1>(points, weights);
-    }
-
-
-
     VoigtVector<3>
     sum_of_ranks(VoigtVector<3> value, const MPI_Comm communicator)
     {

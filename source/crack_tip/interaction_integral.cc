@@ -181,7 +181,7 @@ namespace Crevasse
     using Rules           = KernelRules<2>;
     Rules rules(space,
                 QGauss<2>(Rules::points_per_direction(space) + 4),
-                QIterated<2>(QGauss<1>(4), 8));
+                Quadrature<2>(crowded_rule(40)));
     for (const auto &cell : owned_cells(space.mesh()))
       {
         const unsigned int index = cell->active_cell_index();
@@ -192,15 +192,20 @@ namespace Crevasse
         std::vector<Kernel> of_cell(space.quadrature(cell).size());
         for (unsigned int p = 0; p < of_cell.size(); ++p)
           of_cell[p].point = first + p;
+        const bool is_at_tip = region.reach(index).first == 0.;
         if (space.rule(cell) != 0)
           for (Kernel &kernel : of_cell)
-            add(kernel,
-                points.location[kernel.point],
-                points.weight[kernel.point]);
+            {
+              const double area = points.weight[kernel.point];
+              add(kernel, points.location[kernel.point], area);
+              kernel.of_limit = is_at_tip ? area / cell->measure() : 0.;
+            }
         else
           {
-            const FEValues<2> &values =
-              rules.reinit(cell, region.reach(index).first == 0.);
+            if (is_at_tip)
+              for (unsigned int p = 0; p < of_cell.size(); ++p)
+                of_cell[p].of_limit = rules.limit(cell, p, region.tip.position);
+            const FEValues<2> &values = rules.reinit(cell, is_at_tip);
             for (const unsigned int q : values.quadrature_point_indices())
               {
                 Kernel here;

@@ -187,12 +187,9 @@ namespace Crevasse
   InteractionIntegral::balance(const std::array<VoigtVector<2>, 2> &lips,
                                const double                         size)
   {
-    const MPI_Comm communicator = body.space.communicator();
-    const auto     is_at_tip    = [&](const Kernel &kernel) {
-      return region.reach(points.cell[kernel.point]).first == 0.;
-    };
+    const MPI_Comm                communicator = body.space.communicator();
     std::array<VoigtVector<2>, 2> sum, of_stress; // sum: above and below
-    std::array<double, 2>         area_at_tip{};
+    std::array<double, 2>         n_at_tip{};
     double                        area = 0.;
     for (const Kernel &kernel : kernels)
       {
@@ -200,8 +197,7 @@ namespace Crevasse
         sum[is_below(kernel)] += kernel.field.of_strain;
         for (const unsigned int k : {0, 1})
           of_stress[k] += kernel.field.of_stress[k];
-        if (is_at_tip(kernel))
-          area_at_tip[is_below(kernel)] += points.weight[kernel.point];
+        n_at_tip[is_below(kernel)] += kernel.of_limit;
       }
     const auto of_ranks = [communicator](VoigtVector<2> vector) {
       for (unsigned int c = 0; c < QuadratureField<2>::n_components; ++c)
@@ -222,21 +218,18 @@ namespace Crevasse
     if (kappa_of_ring > 0.)
       hoops = strain_on_rings(hoops);
     area = Utilities::MPI::sum(area, communicator);
-    for (double &of_side : area_at_tip)
+    for (double &of_side : n_at_tip)
       of_side = Utilities::MPI::sum(of_side, communicator);
     for (Kernel &kernel : kernels)
       {
-        const double weight = points.weight[kernel.point];
-        if (is_at_tip(kernel))
-          {
-            const bool   side  = is_below(kernel);
-            const double share = weight / area_at_tip[side];
-            kernel.field.of_strain -= share * sum[side];
-            kernel.field.of_stress[0] -= share * hoops;
-          }
+        const bool   side  = is_below(kernel);
+        const double limit = kernel.of_limit / n_at_tip[side];
+        kernel.field.of_strain -= limit * sum[side];
+        kernel.field.of_stress[0] -= limit * hoops;
         // Spread over the square: stress is largest at the tip.
         for (const unsigned int k : {0, 1})
-          kernel.field.of_stress[k] -= weight / area * of_stress[k];
+          kernel.field.of_stress[k] -=
+            points.weight[kernel.point] / area * of_stress[k];
       }
   }
 } // namespace Crevasse

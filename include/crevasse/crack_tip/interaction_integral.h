@@ -136,6 +136,9 @@ namespace Crevasse
       std::size_t    point = 0;
       AuxiliaryField field;
       VoigtVector<2> of_viscous_strain;
+      /** Factor at this point of a field's limit at the tip, by the cell's
+       * polynomials; 0 in other cells than those at the tip. */
+      double of_limit = 0.;
 
       void
       add(const double factor, const Kernel &other)
