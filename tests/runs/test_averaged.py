@@ -103,6 +103,7 @@ def test_random_bodies():
                     f"body {seed}: {found.summary['periods']} periods, true error")
 
 
+@full
 def test_ranks():
     settings = (COMMON + MESH + steps(20) + LOAD + relaxation(6, 0.3)
                 + averaged(2, 1e-9))
@@ -187,6 +188,7 @@ def test_pressed_while_cold():
         check_below(difference(opened, found), 1e-8, f"rate {rate}: difference")
 
 
+@full
 def test_steps_and_solvers():
     """Steps that end where contact changes, adaptive steps, explicit steps, and
     contact solvers that do not condense."""
@@ -252,6 +254,7 @@ def test_thermal_fatigue():
           "a march without a direct solver")
 
 
+@full
 def test_blade():
     """The wedge of a coated blade, whose relaxation times span 14 decades."""
     blade = SOURCE / "prm/coated_blade.prm"
@@ -302,6 +305,7 @@ end
 TERMS = ((0.2, 1), (0.2, 10), (0.25, 100), (0.2, 1000), (0.1, 1e4), (0.045, 1e5))
 
 
+@full
 def test_asphalt():
     """Six Prony terms that the temperature of the day shifts, by one factor."""
     def run_with(name, terms, *more):

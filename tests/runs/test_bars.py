@@ -114,6 +114,7 @@ def test_parts():
     check("error bars of the last period" in log, log)
 
 
+@full
 def test_corner():
     """The stress in the corner of a clamped side grows as a power of the cells."""
     found, _ = bars("corner", PERIODIC, [
@@ -127,6 +128,7 @@ def test_corner():
     check(found["probe body s"]["bar"] is not None, "the stress inside is finite")
 
 
+@full
 def test_no_limit():
     """What all meshes, or all steps, have in common is not in their differences."""
     rubber = ["Material/Plane state=plane strain", "Material/Poisson ratio=0.4999"]
@@ -159,6 +161,7 @@ def test_no_limit():
         check(bars("limit", ELASTIC, settings)[0]["opening"]["bar"] > 0., f"{settings}")
 
 
+@full
 def test_between_samples():
     """The largest contact force lies between two of few steps, and the bar is for it."""
     def settings(steps):
@@ -196,6 +199,7 @@ def test_rows_of_a_table():
     check(1e-3 * highest < error <= entry["time"] < 5. * error, f"{entry} {error}")
 
 
+@full
 def test_force_beside_an_open_tip():
     """The tip is open while the mouth presses: the force converges as h, not as h^2."""
     bent = ["Loads/Traction=0; 9.6 - 12*x", "Discretisation/Degree=1"]

@@ -13,7 +13,7 @@ import signal
 import subprocess
 import zlib
 
-from crevasse_run import (PATIENCE, Results, check, check_below, overrides, tier,
+from crevasse_run import (PATIENCE, Results, check, check_below, full, overrides, tier,
                           wait_until)
 from crevasse_run import execute as served
 from interrupted_runs import (CASES, COMMON, REDISTRIBUTES, SCENE, check_same_bytes,
@@ -82,6 +82,7 @@ def test_signals():
     check(code in (0, 3), f"SIGHUP under nohup: {code} {error}")
 
 
+@full
 def test_kills():
     """A run that is killed writes the same bytes once it is resumed. What adaptive
     steps have found in a period decides on those of the next."""
@@ -289,6 +290,7 @@ def test_finished():
     check(code == 4 and "--resume" in error, f"nothing there: {code} {error}")
 
 
+@full
 def test_other_solvers():
     """A run may go on with other solvers, which keep other things."""
     solvers = ("condensed active set", "active set", "projected sor")
@@ -309,6 +311,7 @@ def test_other_solvers():
                         / max(expected), 1e-8, f"{first}, then {other}: force")
 
 
+@full
 def test_out_of_periods():
     """What ends without a periodic state can be gone on with."""
     for method in tier(("anderson",), ("march", "anderson")):
@@ -334,6 +337,7 @@ def test_out_of_periods():
     check(sizes[1] < 1.05 * sizes[0], f"bytes with 40 and 80 steps: {sizes}")
 
 
+@full
 def test_ends():
     """After every number of periods, and of periods between checkpoints, a run that
     has ended is resumed with more of them; so is one that ends where its mesh would be

@@ -4,8 +4,8 @@ change it."""
 
 from cracked import BOTTOM, CRACK, STEADY_CREEP, TOP, square, square_scene, write_rings
 import numpy
-from crevasse_run import (FULL, check, check_below, check_close, execute, overrides, plain,
-                          run, run_on, tier)
+from crevasse_run import (FULL, check, check_below, check_close, execute, full, overrides,
+                          plain, run, run_on, tier)
 from singular_field import SingularField
 
 from crevasse import run_page, tip_figure
@@ -101,6 +101,7 @@ end
 SINGULAR = {3: (5.51, 1.94), 5: (5.02, 2.22)}
 
 
+@full
 def test_after_a_step_load():
     """The stress at the tip is the singular field of C(t), in steady creep and long
     before, when C(t) falls like 1/t. That C(t) is K²(1-nu²)/((n+1)Et) then (Riedel,
@@ -228,6 +229,7 @@ def test_growth():
           "C(t) where the crack is pressed together")
 
 
+@full
 def test_jumps():
     """Of the load where the period ends, and within it: no row is a difference
     across them, and growth goes on beside them."""

@@ -117,6 +117,7 @@ def test_walker_and_toughness():
     check_close(found["N"] / sum_of_trapezoids, 1, 0.02, "N")
 
 
+@full
 def test_ends():
     """Threshold, table, ligament."""
     common = ["--from", "0.2", *COARSE, "--error", "0.5"]
@@ -161,6 +162,7 @@ Physical Surface("strip") = {1};
 """
 
 
+@full
 def test_geometry():
     """The strip as a geometry that is meshed at each length; the scene's tip cycles are
     what is refined. The file is not that of its last mesh."""
@@ -205,6 +207,7 @@ end
         check(message in error, error)
 
 
+@full
 def test_mixed():
     """An inclined crack, pulled and pressed: ranges are equivalents of two modes, of which
     no K_min follows, and the crack would turn. The units are those of the scene."""
@@ -367,6 +370,7 @@ def test_laws():
         check(growth(closed, f"Crack growth law={law[0]}", *law[1:])[0][0] == 0., law[0])
 
 
+@full
 def test_constants_of_temperature():
     """A constant that is a formula of theta is the number that it has there: of drivers,
     in a run, and over the lengths of a life whose tip moves to other temperatures."""
@@ -517,6 +521,7 @@ BROKEN = (
         *COARSE]))
 
 
+@full
 def test_broken():
     pathlib.Path("gaps.csv").write_text("Delta_K,R,da_dN\n1,0,1e-3\n2,0,\n")
     pathlib.Path("row.csv").write_text("Delta_K,R,da_dN\n1,0,1e-3\n")

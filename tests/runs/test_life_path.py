@@ -119,6 +119,7 @@ def test_short_path():
     check_close(table["K_max"][-1] / tough, 1, 1e-6, "K at the end")
 
 
+@full
 def test_broken():
     pathlib.Path("was_there").unlink(missing_ok=True)
     text = GEOMETRY.read_text()

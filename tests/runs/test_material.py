@@ -6,7 +6,7 @@ import pathlib
 import re
 
 from crevasse_run import (SOURCE, check, check_below, check_close, execute, overrides,
-                          plain, run)
+                          plain, run, tier)
 
 CRACK = """
 subsection Geometry
@@ -83,13 +83,13 @@ def test_matrices():
     """Stiffness and viscosity as matrices are those of E, nu and tau. Without
     a Poisson ratio nothing is rounded on the way, and all digits are the same;
     with one there is the rounding of inverses."""
-    for state, ratio, form, allowed in (
-            ("plane stress", 0., plane_stress_matrix, 0.),
-            ("plane stress", 0., full_matrix, 0.),
-            ("plane strain", 0., full_matrix, 0.),
-            ("plane stress", 0.25, plane_stress_matrix, 1e-12),
-            ("plane stress", 0.25, full_matrix, 1e-12),
-            ("plane strain", 0.25, full_matrix, 1e-12)):
+    cases = (("plane stress", 0., plane_stress_matrix, 0.),
+             ("plane strain", 0.25, full_matrix, 1e-12),
+             ("plane stress", 0., full_matrix, 0.),
+             ("plane strain", 0., full_matrix, 0.),
+             ("plane stress", 0.25, plane_stress_matrix, 1e-12),
+             ("plane stress", 0.25, full_matrix, 1e-12))
+    for state, ratio, form, allowed in tier(cases[:2], cases):
         plane = [f"Material/Plane state={state}"]
         isotropic = plane + ["Material/Young modulus=16384",
                              f"Material/Poisson ratio={ratio}"]

@@ -186,6 +186,7 @@ def lines_without_times(text):
     return [line.split(";")[0] for line in text.splitlines() if "table in" not in line]
 
 
+@full
 def test_jobs():
     """Points of very different costs, one refused, one that fails, in one process after
     the other or two at a time: the same, but for times."""
@@ -243,6 +244,7 @@ def begin(name, *more, environment=ENVIRONMENT):
     return directory, process
 
 
+@full
 def test_interruption():
     """The second and the third point end while the first one runs."""
     whole, _ = sweep("whole", CRACK, *LONG)

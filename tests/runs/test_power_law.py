@@ -75,6 +75,7 @@ def relaxing(n, n_steps, scheme):
     return abs(table["s_22"][-1] / relaxed(n, table["t"][-1], start) - 1)
 
 
+@full
 def test_relaxing_bar():
     for scheme, order in (("euler", 1), ("heun", 2), ("rk4", 4),
                           ("sdirk2", 2), ("arkode implicit", 4)):
@@ -326,6 +327,7 @@ def cracked(name, settings, more=()):
     return run(SOURCE / "prm/raous1980.prm", name, [*coarse_crack(), *settings, *more])
 
 
+@full
 def test_large_exponents():
     """Newton's method finds what the listed steps of a load at once leave, however
     coarse: steps of a decade and half a period come to the same steady rate."""

@@ -236,6 +236,7 @@ def test_resumption():
     check(without_seconds(rows) == without_seconds(whole), "not recomputed")
 
 
+@full
 def test_points_without_results():
     """5 steps of 120 are 2 tau; a probe may lie outside; a stress may not be
     periodic yet."""

@@ -12,8 +12,8 @@ import h5py
 import meshio
 import numpy
 
-from crevasse_run import (SOURCE, check, check_below, execute, plain, probe_difference,
-                          run)
+from crevasse_run import (SOURCE, check, check_below, execute, full, plain,
+                          probe_difference, run)
 
 sys.path.insert(0, str(SOURCE / "source" / "python"))
 from crevasse import temperature  # noqa: E402
@@ -417,6 +417,7 @@ def test_refused_by_script():
                        expected=4 if message == "No such file" else 2)
 
 
+@full
 def test_corrupted():
     """Bytes that are damaged may be found wrong or not, but nothing crashes."""
     generator = random.Random(1)
