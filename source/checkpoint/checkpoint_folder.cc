@@ -19,7 +19,7 @@ namespace Crevasse
   namespace
   {
     /** Format of a checkpoint's files; other formats cannot be read. */
-    constexpr int format_version = 19;
+    constexpr int format_version = 20;
 
     constexpr const char *manifest_file = "/manifest.json";
 

@@ -154,14 +154,25 @@ namespace Crevasse
 
   template <int dim>
   const RelaxationFunctions<dim> &
+  ContactSystemCache<dim>::relaxation_of(const Key &key)
+  {
+    return *relaxation.at(key, [&]() {
+      return make_values<RelaxationFunctions<dim>>(body,
+                                                   material_at(key.first),
+                                                   key.second);
+    });
+  }
+
+
+
+  template <int dim>
+  const RelaxationFunctions<dim> &
   ContactSystemCache<dim>::relaxation_at(const double t, const double c)
   {
-    const MaterialState<dim> &material = material_at(t);
-    return *relaxation.at(step_key(t, c, material), [&]() {
-      return make_values<RelaxationFunctions<dim>>(body,
-                                                   material,
-                                                   material.kappa(c));
-    });
+    const RelaxationFunctions<dim> &values =
+      relaxation_of(step_key(t, c, material_at(t)));
+    material_at(t); // with the factors of t
+    return values;
   }
 
 
@@ -227,11 +238,22 @@ namespace Crevasse
   {
     archive.section("contact solvers");
     Key              key = last.key;
-    std::vector<Key> keys;
+    std::vector<Key> keys, of_moduli, of_relaxation;
     if (!archive.is_loading())
-      keys = systems.keys();
+      {
+        keys          = systems.keys();
+        of_moduli     = moduli.keys();
+        of_relaxation = relaxation.keys();
+      }
     archive.common(key);
     archive.common(keys);
+    archive.common(of_moduli);
+    archive.common(of_relaxation);
+    // Steps that differ by rounding alone have the values of the first of them.
+    for (const Key &kept : of_moduli)
+      moduli_of(kept);
+    for (const Key &kept : of_relaxation)
+      relaxation_of(kept);
     if (only_system != nullptr)
       only_system->contact_solver().serialize(archive);
     tangents.serialize(archive);

@@ -132,6 +132,10 @@ namespace Crevasse
     const AlgorithmicModuli<dim> &
     moduli_of(const Key &key);
 
+    /** Relaxation over times with this key. */
+    const RelaxationFunctions<dim> &
+    relaxation_of(const Key &key);
+
     /** Cache key of values that depend on a time c. */
     Key
     step_key(const double              t,
