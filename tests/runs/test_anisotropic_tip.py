@@ -5,7 +5,7 @@ that leaves the stress as it is."""
 import math
 
 import cracked
-from crevasse_run import check, check_below, execute, overrides, plain, run
+from crevasse_run import check, check_below, execute, full, overrides, plain, run
 
 # Half a square with an edge crack under tension.
 EDGE = """
@@ -95,6 +95,7 @@ def tip_of(*settings, scene=EDGE):
     return run(scene, "edge", list(settings)).summary["crack_tip"]
 
 
+@full
 def test_energy_release():
     """Irwin's G = K L K is the derivative of the energy by the crack's length, and
     two squares have the same K, to the printed errors of both."""

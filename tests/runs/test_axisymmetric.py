@@ -5,7 +5,7 @@ import math
 import pathlib
 
 import tubes
-from crevasse_run import check, check_below, execute, overrides, run, run_on
+from crevasse_run import check, check_below, execute, full, overrides, run, run_on
 
 
 def write_rings(name, n_r, n_y, radii=(1., 2.), height=0.5):
@@ -134,6 +134,7 @@ def test_penny():
                     5e-4, f"K of the penny-shaped crack {settings}")
 
 
+@full
 def test_weight():
     """Where Poisson's ratio is 0, a force per volume pulls as the traction of the same
     resultant does: without the crack the stress at its place is the same."""
@@ -156,6 +157,7 @@ def test_release_rate():
                 "G and the change of the energy")
 
 
+@full
 def test_variation():
     """Graded stiffness and thermal strain in the integral: squares of two sizes agree,
     of which the larger one has more of them in it."""
@@ -168,6 +170,7 @@ def test_variation():
         check_below(abs(large / small - 1), 2e-4, f"{settings}: two squares")
 
 
+@full
 def test_two_ways():
     """Multigrid and a factor, with the lip closed and open, on a body that touches
     its axis."""

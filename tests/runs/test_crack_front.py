@@ -151,6 +151,7 @@ def test_two_pennies():
                     "K_I of a closed front")
 
 
+@full
 def test_two_middles():
     """Where the front meets a plane of symmetry a cell has a node of its own in the
     middle of an edge: at the same place it makes no difference."""

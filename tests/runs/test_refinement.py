@@ -132,6 +132,7 @@ def rate(meshes, least):
             / sum((x - mean_x)**2 for x, _ in points))
 
 
+@full
 def test_energy_rates():
     for degree, expected, target in ((1, -0.5, 60000), (2, -1., 60000))[
             tier(1, 0):]:

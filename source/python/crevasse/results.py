@@ -50,8 +50,8 @@ SHAPES = {
                          "radius": A_NUMBER, "largest": A_NUMBER, "last": A_NUMBER,
                          "error_of_largest": A_NUMBER, "error_of_last": A_NUMBER}],
     "crack_front": {"radius": A_NUMBER, "vertices": A_NUMBER, **dict.fromkeys(
-        ("K_I", "K_II", "K_III", "C_star"), {EACH: {
-            "value": A_NUMBER, "t": A_NUMBER, "s": A_NUMBER, "position": [A_NUMBER]}})},
+        ("K_I", "K_II", "K_III", "C_star"), (A_NUMBER, {EACH: {
+            "value": A_NUMBER, "t": A_NUMBER, "s": A_NUMBER, "position": [A_NUMBER]}}))},
     "contact_solver": {}, "linear_solver": {}, "time_integration": {},
     "libraries": {}, "elastic_comparison": {},
     "refinement": {"meshes": [{}], "readaptations": [{}]},
@@ -219,7 +219,10 @@ def is_number(value):
 
 
 def has_shape(value, shape):
-    """Whether a value has the expected shape. Unknown numbers and answers are null."""
+    """Whether a value has the expected shape, or one of several. Unknown numbers and answers
+    are null."""
+    if isinstance(shape, tuple):
+        return any(has_shape(value, one) for one in shape)
     if isinstance(shape, list):
         return isinstance(value, list) and all(has_shape(item, shape[0])
                                                for item in value)
