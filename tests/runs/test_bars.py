@@ -277,7 +277,8 @@ def test_order_with_friction():
 
 @full
 def test_pressed_crack():
-    """K_I of a closed inclined crack is 0: inside of the bars of all tips and meshes."""
+    """K_I of a closed inclined crack is 0: inside of the bars of all tips and meshes. K_II
+    of three functions and finer meshes is -49.22, and its bar at most ten times the error."""
     for k, (degree, functions) in enumerate(((1, 0), (2, 0), (2, 2))):
         found, _ = bars(f"pressed_{k}", SOURCE / "prm/inclined_crack.prm", [
             f"Discretisation/Degree={degree}",
@@ -286,7 +287,8 @@ def test_pressed_crack():
             "Loads/Traction=0; -100*sin(2*pi*t/10)^2 - 10", "Output/Fields=none"])
         for name in [f"K_I_{end}_{tip}" for end in ("largest", "smallest") for tip in (1, 2)]:
             check(abs(found[name]["value"]) <= found[name]["bar"], f"{name}: {found[name]}")
-        check(found["K_II_smallest_1"]["bar"] < 2., f"{found['K_II_smallest_1']}")
+        sliding = found["K_II_smallest_1"]
+        check_below(sliding["bar"], 10 * abs(sliding["value"] + 49.22), f"{sliding}")
 
 
 @full
