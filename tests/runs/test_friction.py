@@ -124,6 +124,7 @@ def test_other_cells_below():
             check_below(-found["K_I"]["smallest"] / exact, 2e-2, "K_I of a closed tip")
 
 
+@full
 def test_coefficients_by_crack():
     """Coefficients by boundary are those of a formula of the place; a node where two
     boundaries meet has the first one."""
@@ -173,6 +174,7 @@ def test_no_friction():
                     f"difference of {column}")
 
 
+@full
 def test_pulsating_compression():
     """Under a uniaxial pressure S(t), slip is reversed at a fraction of its largest
     value, and a period dissipates a known work."""

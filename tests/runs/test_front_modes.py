@@ -8,8 +8,8 @@ import math
 import pathlib
 
 from cracked import BACK, BOTTOM, CRACK, FRONT, LEFT, RIGHT, TOP, steps, write_block
-from crevasse_run import (check, check_below, check_close, execute, plain, run, run_on,
-                          tier)
+from crevasse_run import (check, check_below, check_close, execute, full, plain, run,
+                          run_on, tier)
 from fronts import ONE_STEP, PENNY, front, penny_mesh
 
 from crevasse import report as make_report
@@ -74,6 +74,7 @@ def test_penny():
                 "where K_III is")
 
 
+@full
 def test_half_model():
     """Both lips have the K_I of one on a plane of symmetry."""
     half = run(PENNY, "half", [penny_mesh("half.msh", "4", "0.1")])
@@ -175,6 +176,7 @@ def test_closed():
     check(K[0] == K[1] == 0. and min(K[-2:]) > 0.05 * size, "closed where z is small")
 
 
+@full
 def test_two_cracks():
     """From both sides of a slab: turned by 180 degrees about the axis 2 it is the
     same, and shear and twist change their sign."""

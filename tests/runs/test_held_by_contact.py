@@ -4,7 +4,7 @@ load that tips them over, and what is refused."""
 import math
 
 from cracked import BOTTOM, CRACK, FRONT, LEFT, TOP, steps, turned, write_block
-from crevasse_run import (check, check_below, check_close, execute, overrides, plain,
+from crevasse_run import (check, check_below, check_close, execute, full, overrides, plain,
                           run, run_on, tier)
 
 E, TAU, PERIOD = 13000., 60., 600.
@@ -133,6 +133,7 @@ def test_loads_that_pause():
                         for i, s in enumerate(stress)), 1e-9, name)
 
 
+@full
 def test_in_space():
     blocks("space.msh", n=2, dim=3, crack=False)
     three = [("\nsubsection Geometry", "\nset Dimension = 3\nsubsection Geometry", 1)]

@@ -185,6 +185,7 @@ def test_heated():
         check_below(abs(K_of(tip) / K_of(other) - 1), 1e-3, "K of a heated plate")
 
 
+@full
 def test_invariances():
     """Bodies that change places have the conjugate K; turned, in other units and on
     two processes, with integrals over smaller squares."""

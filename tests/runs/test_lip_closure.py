@@ -6,7 +6,7 @@ import pathlib
 import re
 
 from cracked import BOTTOM, CRACK, LEFT, PLATE, TOP, steps, write_block
-from crevasse_run import check, check_below, check_close, run, run_on, tier
+from crevasse_run import check, check_below, check_close, full, run, run_on, tier
 from interrupted_runs import SCENE as RAOUS
 from interrupted_runs import (COMMON, REDISTRIBUTES, finish, fresh, interrupt,
                               reference)
@@ -214,6 +214,7 @@ def test_phases():
             check_close(sum(tip["closed_part"].values()), expected, 1e-7, what)
 
 
+@full
 def test_creeping_phases():
     """With creep K_op, the closed part and K_min, at a kink where the lip closes,
     approach those of many steps by the second order."""
@@ -383,6 +384,7 @@ def same(one, other, what):
                     1e-9, f"{what}: {column}")
 
 
+@full
 def test_ranks_and_resume():
     settings = REDISTRIBUTES + COMMON + [
         "Periodic state/Maximum periods=2", "Crack tip/Stress intensity=true",

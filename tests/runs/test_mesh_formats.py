@@ -13,7 +13,7 @@ import meshio
 import netCDF4
 import numpy
 
-from crevasse_run import SOURCE, check, execute, execute_on, start
+from crevasse_run import SOURCE, check, execute, execute_on, full, start
 
 MESHES = SOURCE / "tests" / "meshes"
 CUBE = numpy.array([(0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0),
@@ -184,6 +184,7 @@ def exodus(path, kind, points, cell, sides, names=True):
             file.createVariable(f"side_ss{i}", "i4", "one")[:] = [i]
 
 
+@full
 def test_sides_of_exodus():
     hexahedron = ("y=0", "x=1", "y=1", "x=0", "z=0", "z=1")
     kinds = {"HEX8": (CUBE, hexahedron),
@@ -245,6 +246,7 @@ def test_families_of_med():
     check_scene("set Clamped = below")
 
 
+@full
 def test_second_order_of_med():
     """The order of MED's manual, where the base of a cell is seen from inside: names,
     and middles on the curves, which come back between the ends of their edges."""
@@ -329,6 +331,7 @@ def test_numbers_of_vtk():
               "numbers")
 
 
+@full
 def test_unv_of_second_order():
     """Middles follow their corners; old groups; beams have a line more."""
     points = [(0, 0), (1, 0.1), (2, 0), (2.1, 1), (2, 2), (1, 2), (0, 2), (0, 1)]

@@ -255,6 +255,7 @@ PEAKS = [(0., 0.), (150., 2.), (290., 2.), (293., 10.), (296., -6.), (299., 2.),
          (450., -2.), (600., 0.)]
 
 
+@full
 def test_peaks():
     """Adaptive steps end at the peaks of a table, those of ARKODE too, and so do a
     flight's with 10 000 rows; equal steps that miss peaks end with a warning."""
@@ -399,6 +400,7 @@ def test_reference_temperature():
         check(status == 2 and re.search(message, error), error)
 
 
+@full
 def test_ranks():
     files = [table("saw.csv", "t,force", [(0., 0.), (150., 10.), (150., 2.), (600., 0.)]),
              "Loads/Traction=0; force(t)"]
