@@ -170,7 +170,8 @@ def test_three_holes():
         a = 1 if x == 4 else 1.5
         pathlib.Path("three_holes.geo").write_text(
             geometry.replace("x = {4,", f"x = {{{x},").replace("a = {1,", f"a = {{{a},"))
-        found, table, _ = path("three_holes", "--step", "0.3", "--to", "5.5", scene=scene)
+        found, table, _ = path("three_holes", "--step", "0.3", "--to", "5.5",
+                               "--error", "0.03", scene=scene)
         gaps[x] = [numpy.hypot(table["x"] - 6, table["y"] - y).min() - 0.25
                    for y in (2.75, 4.75)]
         print(f"notch at {x}: {gaps[x]} from the holes")

@@ -10,8 +10,8 @@ import random
 import sys
 
 import cracked
-from crevasse_run import (SOURCE, check, check_below, check_close, execute, plain, run,
-                          run_on)
+from crevasse_run import (SOURCE, check, check_below, check_close, execute, full, plain,
+                          run, run_on)
 
 sys.path.insert(0, str(SOURCE / "source" / "python"))
 from crevasse import report as make_report  # noqa: E402
@@ -236,6 +236,7 @@ def bent(length):
     return is_crack
 
 
+@full
 def test_singular_functions_of_two_modes():
     """Coefficients converge by the order 2 with squares of degree 2, as those of
     the half model do, and the integral by 4 instead of 1; under pressure the

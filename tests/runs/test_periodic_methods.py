@@ -51,6 +51,7 @@ def test_few_steps():
                     f"estimated error {error_estimate(found):.1e}")
 
 
+@full
 def test_march():
     """A change that is small says little, the estimate does: in slow
     relaxation."""

@@ -6,7 +6,7 @@ import math
 import pathlib
 
 from cracked import BOTTOM, CRACK, TOP, at_edge, square, steps, turned, write_block
-from crevasse_run import check, check_below, execute, overrides, plain, run, run_on
+from crevasse_run import check, check_below, execute, full, overrides, plain, run, run_on
 
 MESH = """
 subsection Geometry
@@ -163,6 +163,7 @@ def test_part_of_crack():
                 "a crack partly under pressure (Tada, Paris, Irwin)")
 
 
+@full
 def test_closes_elsewhere():
     """A long crack in a compressed plate is open for |x| < c, c = b/sin(pi s/2p), and
     its opening at the end b of the pressure p is that of Dugdale's strip."""

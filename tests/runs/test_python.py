@@ -211,6 +211,7 @@ def test_page():
           f"{names}")
 
 
+@full
 def test_notebook():
     """Its code; on fewer crack lengths in the default tier."""
     path = SOURCE / "doc/notebook/raous1980.ipynb"

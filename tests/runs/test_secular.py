@@ -319,6 +319,7 @@ def stretched_differences(one, other, period):
     return stress, relative(*gains)
 
 
+@full
 def test_stretched_time():
     """A viscosity eta_0(t) eta is the viscosity eta in another time. With an
     eta_0 that jumps between steps the steps map exactly, and so does what they
