@@ -173,6 +173,7 @@ def test_refusals():
     check(code == 0 and "advised.prm" in output and "--error" in output, output)
 
 
+@full
 def test_explicit_steps_fail_on_finer_meshes():
     """Creep by a power law: explicit steps that suit the coarsest mesh fail on all
     others, where the stress at the tip is larger. Other steps find an advice."""

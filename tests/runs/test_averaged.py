@@ -50,6 +50,7 @@ def test_contraction():
                             f"{len(errors)} periods, contraction")
 
 
+@full
 def test_march():
     """The stress of a march, to 1e-8."""
     for name, body in bodies(tier(2, 3)).items():

@@ -228,6 +228,7 @@ def test_mixed():
     check("crack length a (m)" in text and "to 0.4 m" in text, "units")
 
 
+@full
 def test_missions():
     """With missions the state at a length is that of its age, as of a run."""
     words = [*COARSE, "--set", "Material/Viscosity=relaxation time", "--set",
@@ -247,6 +248,7 @@ def test_missions():
     check(abs(K[1] / K[0] - 1) > 0.01, f"the age does not count: {K}")
 
 
+@full
 def test_history():
     """Growth by C(t), which has no K, is that of a run with the law."""
     scene = SOURCE / "prm/power_law.prm"

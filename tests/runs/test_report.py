@@ -21,7 +21,7 @@ import numpy
 
 from browser import WIDTHS, in_browser
 import crevasse_run
-from crevasse_run import PROGRAM, SOURCE, Results, check, check_close, execute, run
+from crevasse_run import PROGRAM, SOURCE, Results, check, check_close, execute, full, run
 
 sys.path.insert(0, str(SOURCE / "source" / "python"))
 from crevasse import figures as make_figures, report as make_report  # noqa: E402
@@ -48,6 +48,7 @@ def report(directory, status=0):
     return (path.read_text() if path.exists() else ""), said
 
 
+@full
 def command_line():
     """As a user calls it."""
     output = pathlib.Path("results") / "elsewhere.html"

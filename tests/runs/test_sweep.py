@@ -188,6 +188,7 @@ def test_changed_file():
     check(found[2] == found[1], "the same file")
 
 
+@full
 def test_resumption():
     """Killed in the middle: what is finished stays, the table is the same."""
     arguments = ("--vary", STEPS + "=20,40,80,6400,38400", "--reference",
