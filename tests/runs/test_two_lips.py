@@ -8,8 +8,8 @@ import random
 
 from cracked import (BOTTOM, CRACK, FRONT, LEFT, TOP, at_edge, square, square_scene,
                      steps, turned, write_block)
-from crevasse_run import (Results, check, check_below, execute, execute_on, overrides,
-                          plain, run, run_on, start, sweep, tier)
+from crevasse_run import (Results, check, check_below, execute, execute_on, full,
+                          overrides, plain, run, run_on, start, sweep, tier)
 
 from crevasse.fields import Fields
 
@@ -115,6 +115,7 @@ def test_one_lip_turned():
     check_below(compare_histories(results, straight), 1e-9, "one lip, 17 degrees")
 
 
+@full
 def test_solvers():
     square("full_17.msh", degrees=17)
     scene = square_scene("full_17.msh", 17)
@@ -314,6 +315,7 @@ def test_random_scenes():
                             one, 1e-8, f"seed {seed}, {n_ranks} processes")
 
 
+@full
 def test_crossing_cracks():
     """T- and X-shaped, kinked and interacting cracks: two contact solvers
     agree."""
@@ -333,6 +335,7 @@ def test_crossing_cracks():
         check(ways[0].summary["contact_nodes"] > 2, "contact nodes")
 
 
+@full
 def test_resumed():
     """A run that goes on ends as one that never ended, byte for byte; on other
     processes to rounding."""
@@ -479,6 +482,7 @@ def test_side_of_probe():
           "a probe within the body")
 
 
+@full
 def test_sweep():
     """Where there is contact a study measures its force unasked; tips have tables
     of their own."""
