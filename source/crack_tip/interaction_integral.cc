@@ -166,9 +166,11 @@ namespace Crevasse
     const auto         add = [&](Kernel         &kernel,
                          const Point<2> &point,
                          const double    of_point) {
-      const Point<2> local    = region.tip.local(point);
-      const double   share    = of_point * sign(center, local);
-      const auto     field_of = [&](const SquareWeight &weight) {
+      const Point<2> local = region.tip.local(point);
+      if (local.norm() == 0.)
+        return; // by rounding, in tiny cells
+      const double share    = of_point * sign(center, local);
+      const auto   field_of = [&](const SquareWeight &weight) {
         return field_at(local, weight);
       };
       kernel.field.add(share, field_of(whole));

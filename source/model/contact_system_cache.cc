@@ -249,7 +249,8 @@ namespace Crevasse
     archive.common(keys);
     archive.common(of_moduli);
     archive.common(of_relaxation);
-    // Steps that differ by rounding alone have the values of the first of them.
+    // Equal steps differ by rounding, and share the values of the first of
+    // them: a resumed run needs its length.
     for (const Key &kept : of_moduli)
       moduli_of(kept);
     for (const Key &kept : of_relaxation)

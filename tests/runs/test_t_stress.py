@@ -68,7 +68,7 @@ def test_both_lips():
 
 def test_graded_modulus():
     """The printed error of T is the true one where a modulus varies across a closed crack.
-    The field of T is singular like 1/r^2, so that this varying counts at the tip."""
+    The field of T is singular like 1/r^2, so that this variation counts at the tip."""
     T, printed = zip(*(
         (tip["T_stress"]["largest"], tip["T_stress_error"])
         for tip in (run(cracked.PLATE, f"graded_{n}", [
