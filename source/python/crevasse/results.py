@@ -23,8 +23,9 @@ NAMES = ("Title", "Output directory", "Mesh file", "Temperature", "Files")
 FILES = ("Geometry/Mesh file", "Loads/Temperature", "Tables/Files",
          "Crack tip/Growth table")  # whose values may be names of files
 NUMBER = re.compile(r"(?<![\w.])(\d+\.?\d*|\.\d+)([eE][-+]?\d+)?(?![\w.])")
-A_NUMBER, A_TEXT, YES_OR_NO = "number", "text", "yes or no"
+A_NUMBER, A_TEXT, YES_OR_NO, NOTHING = "number", "text", "yes or no", "null"
 EACH = "each"  # whatever its name is
+ALONG_FRONT = {EACH: {"value": A_NUMBER, "t": A_NUMBER, "s": A_NUMBER, "position": [A_NUMBER]}}
 # Shapes of what the pages look into; of the rest they show what is there.
 SHAPES = {
     "effects": {EACH: {"on": YES_OR_NO, "why": A_TEXT}},
@@ -49,9 +50,9 @@ SHAPES = {
     "creep_integrals": [{"position": [A_NUMBER], "direction": [A_NUMBER],
                          "radius": A_NUMBER, "largest": A_NUMBER, "last": A_NUMBER,
                          "error_of_largest": A_NUMBER, "error_of_last": A_NUMBER}],
-    "crack_front": {"radius": A_NUMBER, "vertices": A_NUMBER, **dict.fromkeys(
-        ("K_I", "K_II", "K_III", "C_star"), (A_NUMBER, {EACH: {
-            "value": A_NUMBER, "t": A_NUMBER, "s": A_NUMBER, "position": [A_NUMBER]}}))},
+    "crack_front": {"radius": A_NUMBER, "vertices": A_NUMBER, "K_I": ALONG_FRONT,
+                    "K_II": ALONG_FRONT, "K_III": ALONG_FRONT,
+                    "C_star": (NOTHING, ALONG_FRONT)},
     "contact_solver": {}, "linear_solver": {}, "time_integration": {},
     "libraries": {}, "elastic_comparison": {},
     "refinement": {"meshes": [{}], "readaptations": [{}]},
@@ -230,6 +231,8 @@ def has_shape(value, shape):
         return isinstance(value, dict) and all(
             has_shape(item, shape.get(name, shape.get(EACH)))
             for name, item in value.items())
+    if shape == NOTHING:
+        return value is None
     if shape == A_NUMBER:
         return value is None or is_number(value)
     if shape == A_TEXT:
