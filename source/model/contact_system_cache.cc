@@ -154,12 +154,11 @@ namespace Crevasse
 
   template <int dim>
   const RelaxationFunctions<dim> &
-  ContactSystemCache<dim>::relaxation_of(const Key &key)
+  ContactSystemCache<dim>::relaxation_of(const Key                &key,
+                                         const MaterialState<dim> &material)
   {
     return *relaxation.at(key, [&]() {
-      return make_values<RelaxationFunctions<dim>>(body,
-                                                   material_at(key.first),
-                                                   key.second);
+      return make_values<RelaxationFunctions<dim>>(body, material, key.second);
     });
   }
 
@@ -169,10 +168,8 @@ namespace Crevasse
   const RelaxationFunctions<dim> &
   ContactSystemCache<dim>::relaxation_at(const double t, const double c)
   {
-    const RelaxationFunctions<dim> &values =
-      relaxation_of(step_key(t, c, material_at(t)));
-    material_at(t); // with the factors of t
-    return values;
+    const MaterialState<dim> &material = material_at(t);
+    return relaxation_of(step_key(t, c, material), material);
   }
 
 
@@ -254,7 +251,7 @@ namespace Crevasse
     for (const Key &kept : of_moduli)
       moduli_of(kept);
     for (const Key &kept : of_relaxation)
-      relaxation_of(kept);
+      relaxation_of(kept, material_at(kept.first));
     if (only_system != nullptr)
       only_system->contact_solver().serialize(archive);
     tangents.serialize(archive);

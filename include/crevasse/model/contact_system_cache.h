@@ -132,9 +132,9 @@ namespace Crevasse
     const AlgorithmicModuli<dim> &
     moduli_of(const Key &key);
 
-    /** Relaxation over times with this key. */
+    /** Relaxation over times with this key, of the material at its instant. */
     const RelaxationFunctions<dim> &
-    relaxation_of(const Key &key);
+    relaxation_of(const Key &key, const MaterialState<dim> &material);
 
     /** Cache key of values that depend on a time c. */
     Key
